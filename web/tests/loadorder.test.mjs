@@ -155,6 +155,76 @@ test('the steps bring all pairs together, and come as JSON lines', async (explor
   assert.equal(loads, 24);
 });
 
+/** Letters and digits of a reason, as it is said or as it is set. */
+const letters = (text) =>
+  text
+    .normalize('NFKD')
+    .replace(/[Σ∑]|ceil|C(?=\()|docs.theorems.md/g, '')
+    .replace(/[^\p{L}\p{N}]/gu, '');
+
+/** Opens a page and its reasons: what they say, and the order that the server sent. */
+async function reasonsOf(explorer, at) {
+  const page = await explorer.open('#/loadorder?items=3&room=2');
+  await page.getByRole('heading', { name: /loads in/ }).waitFor();
+  const answers = page.waitForResponse(/api.loadorder/);
+  await page.goto(page.url().replace(/#.*/, at));
+  const { order } = await (await answers).json();
+  const why = page.locator('details', { hasText: 'Why not fewer' });
+  await page.getByRole('heading', { name: new RegExp(`^${order.loads} loads in`) }).waitFor();
+  await why.locator('summary').click();
+  await page.waitForFunction(() => document.querySelectorAll('.verdict .math.plain').length === 0);
+  const said = (await why.locator('p').allTextContents()).map(letters);
+  return { page, order, why, said };
+}
+
+test('the reason is that of the number that is shown, with formulas and links', async (explorer) => {
+  const one = await reasonsOf(explorer, '#/loadorder?items=64&room=16');
+  assert.deepEqual(one.said, [letters(one.order.lower_bound_reason)]);
+  assert.ok((await one.why.locator('math').count()) > 0);
+  await one.why.getByRole('link', { name: 'Theorem 5' }).waitFor();
+  await one.page.close();
+  // Of the busiest worker, and then of all together.
+  const three = await reasonsOf(explorer, '#/loadorder?items=64&room=16&workers=3');
+  assert.equal(three.said[0], letters(three.order.makespan_bound_reason));
+  assert.ok(three.said[1].endsWith(letters(three.order.lower_bound_reason)));
+  await three.page.getByText(`one worker has at least ${three.order.makespan_bound}`).waitFor();
+});
+
+test('a place kept for what loads: what is compared has that place free, too', async (explorer) => {
+  const { page, order, said } = await reasonsOf(explorer, '#/loadorder?items=20&room=6&prefetch=1');
+  assert.equal(order.order_room, 5);
+  assert.ok(order.order_bound > order.lower_bound);
+  await page.getByText(/no order for the other 5 has fewer/).waitFor();
+  await page.getByText(`there the bound is ${order.lower_bound}`).waitFor();
+  assert.ok(said[0].endsWith(letters(order.order_bound_reason)));
+  const first = (name) =>
+    page
+      .getByRole('row', { name: new RegExp(`^${name}`) })
+      .getByRole('cell')
+      .first()
+      .textContent();
+  assert.equal(await first('lower bound'), String(order.order_bound));
+  // 4 stay and 20, 16, 12, 8, 4 pass.
+  assert.equal(await first('block nested loops'), '60');
+  await look(page, 'loadorder-kept');
+});
+
+test('the steps begin with those of the worker that is looked at', async (explorer) => {
+  const page = await explorer.open('#/loadorder?items=1000&room=100&workers=8');
+  const list = page.getByRole('group', { name: /^The \d+ steps$/ });
+  await list.waitFor({ timeout: 60_000 });
+  assert.ok(await page.getByRole('button', { name: 'Download JSON lines' }).isEnabled());
+  for (const worker of ['2', '7', '0']) {
+    await page.getByLabel('Worker', { exact: true }).selectOption(worker);
+    await page.waitForFunction((worker) => {
+      const frame = document.querySelector('.virtual').getBoundingClientRect();
+      const rows = [...document.querySelectorAll('.virtual .line')];
+      const top = rows.find((row) => row.getBoundingClientRect().bottom > frame.top + 4);
+      return top?.querySelector('.block-number').textContent === `${worker} · 1`;
+    }, worker);
+  }
+});
+
 test('workers share the pairs', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=30&room=6&workers=3');
   await page.getByText('For 3 workers; the busiest has').waitFor();
@@ -314,13 +384,18 @@ test('workers that never hold one item twice', async (explorer) => {
 });
 
 test('a long order: the list to its end, the rest on the command line', async (explorer) => {
-  const page = await explorer.open('#/loadorder?items=600&room=20');
-  await page.getByText('These are the first 5000').waitFor({ timeout: 60_000 });
-  const list = page.getByRole('group', { name: 'The 5000 steps' });
+  const page = await explorer.open('#/loadorder?items=700&room=20');
+  await page.getByText('These are the first 10 000').waitFor({ timeout: 60_000 });
+  const list = page.getByRole('group', { name: 'The 10 000 steps' });
   await list.focus();
   await page.keyboard.press('End');
-  await page.locator('.block-number', { hasText: /^5000$/ }).waitFor();
-  assert.ok(await page.getByRole('button', { name: 'Download JSON lines' }).isDisabled());
+  await page.locator('.block-number', { hasText: /^10\s000$/ }).waitFor();
+  const download = page.getByRole('button', { name: 'Download JSON lines' });
+  assert.ok(await download.isDisabled());
+  const why = await download.getAttribute('aria-describedby');
+  await page
+    .locator(`#${why}`, { hasText: /^Only 10\s000 of \d\d\s\d{3} steps are here/ })
+    .waitFor();
   await look(page, 'loadorder-long');
 });
 

@@ -1,7 +1,7 @@
 import { post, type Ordered } from '../lib/api';
 import { announce, fill, h } from '../lib/dom';
 import { save } from '../lib/save';
-import { count } from '../lib/words';
+import { count, number } from '../lib/words';
 import { copyButton } from '../parts/copy';
 import { chosenExample, leadToResult } from '../parts/lead';
 import { link, problem, type Page, type View } from '../shell/router';
@@ -108,6 +108,7 @@ async function render(view: View): Promise<void> {
 
   function show(answer: Ordered, asked: Asked): void {
     const command = commandOf(asked);
+    const steps = stepList(answer);
     fill(
       result,
       h(
@@ -117,11 +118,11 @@ async function render(view: View): Promise<void> {
         shares(answer, asked) ?? levels(answer, asked) ?? comparison(answer, asked),
       ),
       asked.workers > 1 && levels(answer, asked),
-      memory(answer, mine()),
+      memory(answer, mine(), steps.goTo),
       h(
         'div',
         { class: 'columns loadorder-parts' },
-        h('div', {}, stepList(answer)),
+        h('div', {}, steps.element),
         h(
           'div',
           {},
@@ -135,10 +136,18 @@ async function render(view: View): Promise<void> {
                 type: 'button',
                 class: 'plain',
                 disabled: answer.truncated,
+                'aria-describedby': answer.truncated ? 'not-all-steps' : null,
                 onclick: () => save('order.jsonl', jsonLines(answer), 'application/jsonl'),
               },
               'Download JSON lines',
             ),
+            answer.truncated &&
+              h(
+                'p',
+                { id: 'not-all-steps', class: 'hint' },
+                `Only ${number(answer.steps.length)} of ${number(answer.step_count)} steps are ` +
+                  'here; the command below writes all of them to a file.',
+              ),
           ),
           h(
             'section',

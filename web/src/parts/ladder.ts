@@ -6,16 +6,19 @@ import { number } from '../lib/words';
 const span = (from: number, to: number): string =>
   from === to ? number(from) : `${number(from)}–${number(to)}`;
 
-/** Null: not known. `start`: the best before a search; `reached`: what the best is. */
+/**
+ * Null: not known. `start`: the best before a search; `reached`: what the best is; `given`: under
+ * which condition the others are impossible.
+ */
 export function ladder(
   bound: number | null,
   best: number | null,
-  { start = best, of = 'blocks', reached = 'best known' } = {},
+  { start = best, of = 'blocks', reached = 'best known', given = '' } = {},
 ): HTMLElement {
   const least = bound ?? 1;
   const rungs: (readonly [string, string, string])[] = [];
   if (least > 1) {
-    rungs.push(['none', least === 2 ? '1' : `up to ${number(least - 1)}`, 'impossible']);
+    rungs.push(['none', least === 2 ? '1' : `up to ${number(least - 1)}`, `impossible${given}`]);
   }
   if (best === null) {
     rungs.push(['open', `${number(least)} or more`, 'open']);

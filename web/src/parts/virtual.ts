@@ -8,8 +8,8 @@ import { fill, h } from '../lib/dom';
 
 export interface VirtualList {
   readonly element: HTMLElement;
-  /** Brings row i into the middle of the frame. */
-  goTo(i: number): void;
+  /** Brings row i into the middle of the frame, or to its top. */
+  goTo(i: number, place?: 'middle' | 'top'): void;
   /** Redraws the visible rows after their content has changed. */
   refresh(): void;
 }
@@ -114,9 +114,10 @@ export function virtualList({ label, rows, height = 28, letters, row }: Options)
   requestAnimationFrame(draw);
   return {
     element,
-    goTo(i) {
+    goTo(i, place = 'middle') {
       const seen = element.clientHeight || 400;
-      const wanted = Math.max(0, (starts(i) + starts(i + 1) - seen) / 2);
+      const wanted =
+        place === 'top' ? starts(i) : Math.max(0, (starts(i) + starts(i + 1) - seen) / 2);
       const realTravel = Math.max(1, real - seen);
       element.scrollTop = total < real ? (wanted / realTravel) * (total - seen) : wanted;
       draw();

@@ -135,7 +135,12 @@ function drawn(
   return h('div', {}, said, line.element);
 }
 
-export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
+/** `chosen` is called when another worker is looked at. */
+export function memory(
+  answer: Ordered,
+  signal: AbortSignal,
+  chosen: (worker: number) => void,
+): HTMLElement {
   const workers = [...new Set(answer.steps.map((step) => step.worker))].filter(
     (worker): worker is number => worker !== undefined,
   );
@@ -152,7 +157,10 @@ export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
   const whose = select(
     String(workers[0] ?? ''),
     workers.map((worker) => [String(worker), String(worker)] as const),
-    show,
+    (worker) => {
+      show();
+      chosen(Number(worker));
+    },
   );
   const level = select(
     'memory',
@@ -169,7 +177,7 @@ export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
     h('h2', {}, 'What memory holds'),
     h(
       'div',
-      { class: 'row' },
+      { class: 'row memory-head' },
       workers.length > 1 && field('Worker', whose),
       hasLevels && field('Level', level),
       h(

@@ -4,6 +4,7 @@ import type { Ordered } from '../../lib/api';
 import { h, scroll, type Child } from '../../lib/dom';
 import { bytes, count, number } from '../../lib/words';
 import { ladder } from '../../parts/ladder';
+import { reason } from '../../parts/recipe';
 import { virtualList } from '../../parts/virtual';
 import { naive } from './naive';
 
@@ -29,10 +30,30 @@ export interface Asked {
   disjoint: boolean;
 }
 
-function over(loads: number, bound: number): string {
-  return loads <= bound
-    ? 'no order has fewer'
-    : `no order has fewer than ${number(bound)}, so ${atMost(loads, bound)}`;
+/**
+ * What is compared with: orders for the places that are not kept for what is loading, if some are.
+ * An order for all places may have fewer loads, but these then wait for what is evicted.
+ */
+interface Bounds {
+  /** null: no place is kept. */
+  kept: { room: number } | null;
+  loads: number;
+  /** Of the busiest worker. */
+  makespan: number | undefined;
+}
+
+function boundsOf({ order }: Ordered): Bounds {
+  const { order_bound: loads, order_room: room } = order;
+  return loads === undefined || room === undefined
+    ? { kept: null, loads: order.lower_bound, makespan: order.makespan_bound }
+    : { kept: { room }, loads, makespan: order.order_makespan_bound };
+}
+
+function over(loads: number, { kept, loads: bound }: Bounds): string {
+  const none = kept
+    ? `no order for the other ${number(kept.room)} has fewer`
+    : 'no order has fewer';
+  return loads <= bound ? none : `${none} than ${number(bound)}, so ${atMost(loads, bound)}`;
 }
 
 const atMost = (loads: number, bound: number): string =>
@@ -49,7 +70,9 @@ function shareOver(loads: number, bound: number): string {
 
 /** What is read, and the least that can be: by all, or by the busiest of several workers. */
 function readWords(answer: Ordered, size: number): string {
-  const { bytes: read, bytes_bound: least, makespan, makespan_bound: spanBound } = answer;
+  const { bytes: read, makespan } = answer;
+  const { kept, loads, makespan: spanBound } = boundsOf(answer);
+  const least = kept ? loads * size : answer.bytes_bound;
   if (makespan === undefined || spanBound === undefined) {
     if (read <= least) {
       return ` ${bytes(read)} are read; less is not possible.`;
@@ -58,7 +81,7 @@ function readWords(answer: Ordered, size: number): string {
     return ` ${bytes(read)} are read; less than ${bytes(least)} is not possible${more}.`;
   }
   const most = answer.makespan_bytes ?? makespan * size;
-  const bound = answer.makespan_bytes_bound ?? spanBound * size;
+  const bound = kept ? spanBound * size : (answer.makespan_bytes_bound ?? spanBound * size);
   return (
     ` ${bytes(read)} are read, ${bytes(most)} of them by the busiest worker; ` +
     (most > bound
@@ -101,41 +124,77 @@ function epochWords({ order: { epoch_loads: loads = [] } }: Ordered): HTMLElemen
   );
 }
 
+const keptWords = 'one place kept for the item that is loading';
+
+/** The reasons of all bounds that are shown, each with what it is of. */
+function reasons(answer: Ordered): [of: string, why: string][] {
+  const { order } = answer;
+  const { kept } = boundsOf(answer);
+  const all = kept ? `With all ${number(order.room)} places: ` : '';
+  const rest = kept ? `With room for ${number(kept.room)}: ` : '';
+  const together = (bound: number): string =>
+    `All workers together have at least ${count(bound, 'load')}: `;
+  const found: [string, string | undefined][] =
+    order.makespan_bound === undefined
+      ? [
+          [rest, order.order_bound_reason],
+          [all, order.bytes_bound_reason ?? order.lower_bound_reason],
+        ]
+      : [
+          [rest, order.order_makespan_bound_reason],
+          [all, order.makespan_bytes_bound_reason ?? order.makespan_bound_reason],
+          [all + together(order.lower_bound), order.lower_bound_reason],
+        ];
+  return found.flatMap(([of, why]): [string, string][] => (why === undefined ? [] : [[of, why]]));
+}
+
 export function headline(answer: Ordered, asked: Asked): HTMLElement {
   const { order } = answer;
   const pairs = answer.pairs / (order.epochs ?? 1);
-  const { loads, lower_bound: bound, makespan, makespan_bound: spanBound, workers } = order;
+  const { loads, makespan, workers } = order;
+  const bounds = boundsOf(answer);
+  const { kept, makespan: spanBound } = bounds;
+  const given = kept ? ' with a place kept' : '';
   const shared = makespan !== undefined && spanBound !== undefined && workers !== undefined;
   return h(
     'div',
     { class: 'verdict valid', role: 'status' },
     h('h2', {}, `${count(loads, 'load')} in ${count(order.steps, 'step')}`),
     shared
-      ? ladder(spanBound, makespan, { of: 'loads', reached: 'the busiest' })
-      : asked.sizes === null && ladder(bound, loads, { of: 'loads', reached: 'this order' }),
+      ? ladder(spanBound, makespan, { of: 'loads', reached: 'the busiest', given })
+      : asked.sizes === null &&
+          ladder(bounds.loads, loads, { of: 'loads', reached: 'this order', given }),
     h(
       'p',
       {},
       shared
         ? `For ${count(workers, 'worker')}${asked.disjoint ? apart : ''}` +
             `${inEpochs(answer)}; the busiest has ${count(makespan, 'load')}: ` +
-            `${shareOver(makespan, spanBound)}.`
+            `${kept ? `with ${keptWords} ` : ''}${shareOver(makespan, spanBound)}.`
         : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ` +
             `${count(order.items, 'item')}${inEpochs(answer)}, with ${places(answer)}` +
-            `${asked.sizes === null ? `: ${over(loads, bound)}` : ''}.`,
+            `${kept ? `, ${keptWords}` : ''}` +
+            `${asked.sizes === null ? `: ${over(loads, bounds)}` : ''}.`,
       (asked.bytesPerItem !== null || asked.sizes !== null) &&
         readWords(answer, asked.bytesPerItem ?? 1),
     ),
+    kept &&
+      h(
+        'p',
+        { class: 'hint' },
+        `An order for all ${number(order.room)} places may have fewer loads, but then they wait `,
+        'for what is evicted: ',
+        shared && order.makespan_bound !== undefined
+          ? `there some worker has at least ${number(order.makespan_bound)}.`
+          : `there the bound is ${number(order.lower_bound)}.`,
+      ),
     epochWords(answer),
     order.overlapped !== undefined &&
       h(
         'p',
         {},
         `${number(order.overlapped)} of ${number(order.pairs ?? pairs)} pairs are computed `,
-        'while items load',
-        order.order_room !== undefined && order.order_room < order.room
-          ? '; one place in memory is kept for the item that is loading.'
-          : '.',
+        'while items load.',
       ),
     order.loads_ahead !== undefined &&
       h(
@@ -157,14 +216,14 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
       'details',
       {},
       h('summary', {}, 'Why not fewer'),
-      h(
-        'p',
-        {},
-        shared && `All workers together have at least ${count(bound, 'load')}: `,
-        order.lower_bound_reason,
-      ),
+      reasons(answer).map(([of, why]) => h('p', {}, of, reason(why))),
     ),
-    h('details', {}, h('summary', {}, 'Where the order comes from'), h('p', {}, order.explanation)),
+    h(
+      'details',
+      {},
+      h('summary', {}, 'Where the order comes from'),
+      h('p', {}, reason(order.explanation)),
+    ),
   );
 }
 
@@ -173,12 +232,13 @@ export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {
   if (asked.pairs || asked.workers > 1 || asked.fastRoom !== null || !alike) {
     return null;
   }
-  const simple = naive(answer.order.items, asked.room);
+  const { kept, loads: bound } = boundsOf(answer);
+  const simple = naive(answer.order.items, kept?.room ?? asked.room);
   if (simple.length === 0) {
     return null;
   }
   const rows: [name: string, how: string, loads: number, own: boolean][] = [
-    ['lower bound', 'no order has fewer', answer.lower_bound, false],
+    ['lower bound', 'no order has fewer', bound, false],
     ['this order', 'below, step by step', answer.loads, true],
     ...simple
       .sort((one, other) => one.loads - other.loads)
@@ -188,6 +248,12 @@ export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {
     'section',
     {},
     h('h2', {}, 'Beside simple orders'),
+    kept &&
+      h(
+        'p',
+        { class: 'hint' },
+        `All of them for ${number(kept.room)} places: one is kept for the item that is loading.`,
+      ),
     scroll(
       'Loads of this order and of simple ones',
       h(
@@ -215,7 +281,7 @@ export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {
               { class: own ? 'own' : null },
               h('th', { scope: 'row' }, name),
               h('td', { class: 'number' }, number(loads)),
-              h('td', { class: 'number' }, `× ${(loads / answer.lower_bound).toFixed(3)}`),
+              h('td', { class: 'number' }, `× ${(loads / bound).toFixed(3)}`),
               asked.bytesPerItem !== null &&
                 h('td', { class: 'number' }, bytes(loads * asked.bytesPerItem)),
               h('td', { class: 'meaning' }, how),
@@ -291,7 +357,13 @@ function listed(items: (number | string)[]): string {
   return items.join(items.some((item) => /\s/.test(String(item))) ? ', ' : ' ');
 }
 
-export function stepList(answer: Ordered): HTMLElement {
+export interface StepList {
+  readonly element: HTMLElement;
+  /** Brings the first step of a worker to the top of the list. */
+  goTo(worker: number): void;
+}
+
+export function stepList(answer: Ordered): StepList {
   const shared = answer.steps.some(({ worker }) => worker !== undefined);
   const starts = new Set(
     answer.steps.filter((step, i) => step.epoch !== answer.steps[i - 1]?.epoch),
@@ -333,7 +405,7 @@ export function stepList(answer: Ordered): HTMLElement {
       return h('div', { class: 'block' }, parts);
     },
   });
-  return h(
+  const element = h(
     'section',
     {},
     h('h2', {}, 'Steps'),
@@ -347,6 +419,15 @@ export function stepList(answer: Ordered): HTMLElement {
           `steps; the command below writes all of them.`,
       ),
   );
+  return {
+    element,
+    goTo(worker) {
+      list.goTo(
+        answer.steps.findIndex((step) => step.worker === worker),
+        'top',
+      );
+    },
+  };
 }
 
 export function jsonLines({ order, steps }: Ordered): string {
