@@ -376,11 +376,11 @@ TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
   EXPECT_EQ(ahead["order"]["order_bound"],
             json_of(post("/api/loadorder", R"({"items":20,"room":5})",
                          "application/json"))["lower_bound"]);
-  const auto shared = json_of(
+  const auto of_three = json_of(
       post("/api/loadorder", R"({"items":30,"room":6,"workers":3,"prefetch":true,"epochs":2})",
            "application/json"));
-  EXPECT_EQ(shared["makespan_bound"], shared["order"]["makespan_bound"]);
-  EXPECT_LT(shared["makespan_bound"], shared["order"]["order_makespan_bound"]);
+  EXPECT_EQ(of_three["makespan_bound"], of_three["order"]["makespan_bound"]);
+  EXPECT_LT(of_three["makespan_bound"], of_three["order"]["order_makespan_bound"]);
   const auto searched =
       json_of(post("/api/loadorder", R"({"items":20,"room":6,"seconds":0.2})", "application/json"));
   EXPECT_EQ(searched["time_is_up"], false);
