@@ -75,10 +75,10 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
   ['minimum', terms.minimum],
   ['best known', 'the design with the fewest blocks that is known; one with fewer may exist'],
   ['open', 'no design is known, and none is excluded'],
-  ['tight', terms.tight],
+  ['tight', 'every pair is newly covered exactly once'],
   ['economical', terms.economical],
   ['excess', terms.excess],
-  ['cell', 'one choice of v, k, m and kind, with everything known about it'],
+  ['cell', 'one choice of v, k, m, kind and t, with everything known about it'],
   [
     'label',
     'a permanent name of one design: v.k.m.kind.b and eight digits of the checksum of its blocks',
@@ -103,6 +103,10 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
   ['load', 'reading one item from the disk into memory'],
   ['room', 'number of items that fit into memory at once'],
   ['evict', 'removing an item from memory'],
-  ['makespan', 'number of loads of the busiest worker'],
+  [
+    'makespan',
+    'of a load order: number of loads of the busiest worker; of a plan for several benches: ' +
+      'the end of the last test',
+  ],
   ['test, set-up', 'parts that are mounted together at one time'],
 ];
