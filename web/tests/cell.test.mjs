@@ -59,6 +59,24 @@ test('how many there are, and what others report', async (explorer) => {
   assert.match(await bean.getAttribute('href'), /^https:\/\/arxiv\.org/);
 });
 
+test('where none exists, the cell is framed among its neighbours', async (explorer) => {
+  const page = await explorer.open('#/cell?v=6&k=5&change=5');
+  for (const width of [1280, 390]) {
+    await page.setViewportSize({ width, height: 844 });
+    await page.locator('.around-table [aria-current]', { hasText: 'there is no design' }).waitFor();
+    const columns = await page
+      .locator('.around-table th[scope=col]')
+      .evaluateAll((all) => all.map((each) => each.getBoundingClientRect().width));
+    assert.ok(Math.min(...columns) > 28, `columns are ${columns} px wide at ${width} px`);
+    assert.ok(Math.max(...columns) - Math.min(...columns) < 4, `columns: ${columns}`);
+  }
+  await page.setViewportSize({ width: 1280, height: 900 });
+  const place = (locator) => locator.boundingBox();
+  const around = await place(page.getByRole('heading', { name: 'Around this cell' }));
+  const side = await place(page.getByRole('heading', { name: 'On the command line' }));
+  assert.ok(around.x < side.x && Math.abs(around.y - side.y) < 4, 'side by side');
+});
+
 test('beyond the catalog, too, all is in one place', async (explorer) => {
   for (const cell of ['v=300&k=6&change=2&kind=circular', 'v=30&k=9&change=4&kind=linear']) {
     const page = await explorer.open(`#/cell?${cell}`);

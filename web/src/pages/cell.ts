@@ -467,14 +467,15 @@ export const cell: Page = {
         h(
           'div',
           {},
-          bounds(detail),
+          // Where there is nothing to say of designs, the neighbours stand in their place.
+          detail.impossible ? around : bounds(detail),
           detail.best && [h('h2', {}, 'How it is made'), recipe],
           origins(detail, view.signal),
         ),
         h(
           'div',
           { class: 'cell-side' },
-          around,
+          !detail.impossible && around,
           detail.best && [h('h2', {}, 'Download the best design'), files],
           !frozen && detail.best && forAPaper(wanted),
           offers(detail),

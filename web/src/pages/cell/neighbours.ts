@@ -9,6 +9,16 @@ import { paintOf } from '../catalog/paint';
 
 const around = { v: 4, k: 2 };
 
+/** The cell itself where no design exists: framed as every other cell is. */
+function noneHere(): HTMLElement {
+  return h(
+    'span',
+    { class: 'here', 'aria-current': 'true', title: 'this cell: there is no design' },
+    '–',
+    h('span', { class: 'unseen' }, ' this cell: there is no design'),
+  );
+}
+
 /** Null where the map does not reach. */
 export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HTMLElement | null> {
   const strength = cell.strength ?? 2;
@@ -57,10 +67,10 @@ export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HT
               h('th', { scope: 'row' }, k),
               vs.map((v) => {
                 const each = atlas.cell(v, k)!;
-                if (each.status === 'impossible') {
-                  return h('td', {}, '');
-                }
                 const here = v === cell.v && k === cell.k;
+                if (each.status === 'impossible') {
+                  return h('td', {}, here && noneHere());
+                }
                 const words = String(each.b ?? each.lower ?? '?');
                 const square = h(
                   'a',
