@@ -193,6 +193,23 @@ test('of triples few designs are known: the first that is read has one', async (
   assert.equal(await page.getByLabel('Status').inputValue(), 'known');
 });
 
+test('cells are counted in the range that is chosen', async (explorer) => {
+  const page = await explorer.open('#/catalog?strength=3&k=4..6&v=5..30');
+  const [, known, all] = /known for (\d+) of these (\d+) cells/.exec(
+    await page.locator('.lacking p').textContent(),
+  );
+  assert.match(
+    await page.locator('.totals').textContent(),
+    new RegExp(`^${all} cells ?${known} with a design`),
+  );
+  assert.ok(Number(all) < 100, all);
+  const beyond = page.locator('.legend li', { hasText: 'outside the range' });
+  await beyond.waitFor();
+  await page.getByRole('button', { name: 'All cells' }).click();
+  await beyond.waitFor({ state: 'hidden' });
+  await page.getByText(/of these 340 cells/).waitFor();
+});
+
 test('where no design is known the map has the bound, and the page says so', async (explorer) => {
   const page = await explorer.open('#/catalog?strength=3&at=20.5');
   const words = page.locator('.lacking p');

@@ -38,9 +38,12 @@ function linkOf(cell: AtlasCell): Record<string, string | number | null> {
   };
 }
 
-/** What is to be said where most cells have no design; null elsewhere. */
-function whatLacks(atlas: Atlas, onlyKnown: (() => void) | null): HTMLElement | null {
-  const possible = atlas.cells().filter((cell) => cell.status !== 'impossible');
+/** What is to be said where most cells in sight have no design; null elsewhere. */
+function whatLacks(
+  inSight: readonly AtlasCell[],
+  onlyKnown: (() => void) | null,
+): HTMLElement | null {
+  const possible = inSight.filter((cell) => cell.status !== 'impossible');
   const known = possible.filter((cell) => cell.b !== null).length;
   return 2 * known >= possible.length
     ? null
@@ -93,6 +96,12 @@ export const catalog: Page = {
     const said = h('div');
     const legend = h('div', { class: 'legend-place' });
     const lacking = h('div', { class: 'lacking' });
+    const beyond = h(
+      'li',
+      { hidden: true },
+      h('span', { class: 'legend-key beyond' }),
+      'outside the range',
+    );
     const sums = h('div', { class: 'sums' });
     const list = cellTable(view);
     const complete = h(
@@ -203,6 +212,9 @@ export const catalog: Page = {
       listed = inSight.filter(sift.passes());
       list.show(listed, atlas.knowsGroups);
       fill(sums, totals(listed));
+      const onlyKnown = param('status', '') === 'known' ? null : () => sift.only('known');
+      fill(lacking, whatLacks(inSight, onlyKnown));
+      beyond.hidden = !map.showsBeyond();
       sift.say(listed.length, inSight.length);
     }
 
@@ -214,11 +226,9 @@ export const catalog: Page = {
           written: param('number', 'b') as Written,
           passes: sift.passes(),
         });
-        fill(legend, paintOf(atlas, measure, param('number', 'b') === 'b').legend);
-        fill(
-          lacking,
-          whatLacks(atlas, param('status', '') === 'known' ? null : () => sift.only('known')),
-        );
+        const list = paintOf(atlas, measure, param('number', 'b') === 'b').legend;
+        list.append(beyond);
+        fill(legend, list);
       }
     }
 

@@ -26,6 +26,8 @@ export interface AtlasMap {
   look(window: Partial<Window>): void;
   /** Cells that are wholly or partly in sight. */
   seen(): Window;
+  /** Whether cells are in sight, faintly, that are outside of the window that was asked for. */
+  showsBeyond(): boolean;
   /** Marks a cell. */
   mark(v: number, k: number): void;
   zoom(factor: number): void;
@@ -269,13 +271,8 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     listener.moved();
   }
 
-  function seen(): Window {
-    if (!atlas) {
-      return { k: { from: 3, to: 40 }, v: { from: 4, to: 160 } };
-    }
-    if (drawing.width === 0) {
-      return { k: atlas.k, v: atlas.v, ...wanted }; // It is not laid out yet.
-    }
+  /** What has room, whether it was asked for or not. */
+  function inRoom(atlas: Atlas): Window {
     const to = (
       from: number,
       at: number,
@@ -286,15 +283,33 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       from: Math.min(most, from + Math.floor(at + 0.001)),
       to: Math.min(most, from + Math.ceil(at + space / per - 0.001) - 1),
     });
-    const all = {
+    return {
       v: to(atlas.v.from, corner.x, room().x, scale.x, atlas.v.to),
       k: to(atlas.k.from, corner.y, room().y, scale.y, atlas.k.to),
     };
+  }
+
+  function seen(): Window {
+    if (!atlas) {
+      return { k: { from: 3, to: 40 }, v: { from: 4, to: 160 } };
+    }
+    if (drawing.width === 0) {
+      return { k: atlas.k, v: atlas.v, ...wanted }; // It is not laid out yet.
+    }
+    const all = inRoom(atlas);
     const within = (a: { from: number; to: number }, b: { from: number; to: number }) => ({
       from: Math.max(a.from, b.from),
       to: Math.min(a.to, b.to),
     });
     return limit ? { v: within(all.v, limit.v), k: within(all.k, limit.k) } : all;
+  }
+
+  function showsBeyond(): boolean {
+    if (!atlas || !limit || drawing.width === 0) {
+      return false;
+    }
+    const { k, v } = inRoom(atlas);
+    return atlas.cells(k, v).some((cell) => cell.status !== 'impossible' && isOutside(cell));
   }
 
   function lookAt({ k, v }: Partial<Window>): void {
@@ -450,6 +465,8 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
         atlas.rows !== next.rows ||
         atlas.k.from !== next.k.from;
       atlas = next;
+      // No higher than all of its rows need.
+      element.style.maxHeight = `${margin.top + margin.bottom + next.rows * largest.y + 2}px`;
       written = how.written;
       passes = how.passes;
       paint = paintOf(next, how.measure, how.written === 'b');
@@ -462,6 +479,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     },
     look: lookAt,
     seen,
+    showsBeyond,
     mark(v, k) {
       chosen = { v, k };
       soon();
