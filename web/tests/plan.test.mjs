@@ -223,14 +223,24 @@ test('what if: the library says which plan is cheapest when, and plans anew', as
   assert.deepEqual(await table.locator('tbody tr').first().locator('td').allTextContents(), [
     '0',
     '1',
-    'double-change design',
-    '12',
-    '25',
+    '12 tests, 25 changesdouble-change design',
   ]);
   await page.locator('.what-if .u-over').waitFor();
+  // Each line has a name of its own, which the table has, too.
+  const names = await page.locator('.what-if .u-legend th .u-label').allTextContents();
+  assert.equal(new Set(names.slice(1)).size, names.length - 1, names.join('; '));
+  assert.equal(names[1], '12 tests, 25 changes');
+  const markers = await page
+    .locator('.what-if .u-legend .u-marker')
+    .evaluateAll((all) => all.map((each) => getComputedStyle(each).borderBottomStyle));
+  assert.equal(markers[1], 'solid');
+  assert.ok(
+    markers.slice(2).every((style) => style === 'dashed'),
+    markers.join(),
+  );
   await page.getByRole('slider', { name: 'A change costs' }).focus();
   await page.keyboard.press('End');
-  await page.locator('.what-if p[role="status"]', { hasText: '17 tests, 20 changes' }).waitFor();
+  await page.locator('.what-if p[role="status"]', { hasText: '17 tests and 20 changes' }).waitFor();
   await page.getByRole('button', { name: 'Replan at these costs' }).click();
   await page.getByText('17 tests, 20 changes').first().waitFor();
 });

@@ -111,7 +111,10 @@ export function plot(options: PlotOptions): Plot {
             : {}),
         },
         cursor: { drag: { x: false, y: false } },
-        legend: { live: true },
+        legend: {
+          live: true,
+          markers: { dash: (_, i) => (lines[i - 1]?.dash ? 'dashed' : 'solid') },
+        },
         axes: [
           {
             ...axis,

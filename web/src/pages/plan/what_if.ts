@@ -16,6 +16,21 @@ export function costAt(
   return plan.tests * testCost + factor * (plan.cost - plan.tests * testCost);
 }
 
+const sizeOf = (plan: { tests: number; changes: number }) =>
+  `${count(plan.tests, 'test')}, ${count(plan.changes, 'change')}`;
+
+/** Plans are told apart by their sizes, and where these are the same by what they cost, too. */
+export function namesOf(
+  plans: readonly { tests: number; changes: number; cost: number }[],
+): string[] {
+  const sizes = plans.map(sizeOf);
+  return plans.map(({ cost }, i) =>
+    sizes.filter((each) => each === sizes[i]).length > 1
+      ? `${sizes[i]}, cost ${about(cost)}`
+      : sizes[i]!,
+  );
+}
+
 /** A slider from a sixteenth to sixteen times, with a field for the number itself. */
 function price(
   label: string,
@@ -129,34 +144,32 @@ export function whatIf(
     const same = test.value() === testCost && change.value() === changeCost;
     anew.disabled = same;
     const here = factor();
+    const mark = same ? 'These are your costs. ' : '';
     if (!found || here === null) {
-      said.textContent = same
-        ? 'These are your costs.'
-        : 'Replan to see what is cheapest at these costs.';
+      said.textContent =
+        same || look.disabled ? mark : 'Replan to see what is cheapest at these costs.';
       return;
     }
     const at = here * unitOf();
     const best = rangeAt(at);
     const other = found.ranges.find(({ to }) => to === at); // costs as much just here
     const mine = rangeAt(unitOf());
+    const withSize = ({ plan }: NonNullable<typeof best>) =>
+      `${count(plan.tests, 'test')} and ${count(plan.changes, 'change')}`;
     said.textContent = !best
       ? ''
       : other && other !== best
-        ? `${same ? 'These are your costs. ' : ''}Two plans are cheapest here: ` +
-          [other, best]
-            .map(({ plan }) => `${count(plan.tests, 'test')} with ${count(plan.changes, 'change')}`)
-            .join(', and ') +
-          '.'
+        ? `${mark}Two plans are cheapest here: one with ${withSize(other)}, and one with ` +
+          `${withSize(best)}.`
         : best === mine
-          ? `${same ? 'These are your costs. ' : ''}The ${best.plan.name} is cheapest here: ` +
-            `${count(best.plan.tests, 'test')}, ${count(best.plan.changes, 'change')}.`
-          : `The ${best.plan.name} would be cheaper: ${count(best.plan.tests, 'test')}, ` +
-            `${count(best.plan.changes, 'change')}. Replan to get it, or a better one.`;
+          ? `${mark}The plan with ${withSize(best)} is cheapest here.`
+          : `The plan with ${withSize(best)} would be cheaper. Replan to get it, or a better one.`;
     redraw();
   }
 
   async function search(): Promise<void> {
     look.disabled = true;
+    settle();
     fill(
       place,
       h(
@@ -174,6 +187,7 @@ export function whatIf(
     } catch (fault) {
       if (!signal.aborted) {
         look.disabled = false;
+        settle();
         fill(place, h('p', { class: 'problem', role: 'alert' }, (fault as Error).message));
       }
     }
@@ -183,23 +197,34 @@ export function whatIf(
     const unit = unitOf();
     const plans = answer.ranges.map(({ plan }) => plan);
     const last = Math.max(2 * unit, ...answer.ranges.map(({ from }) => 1.4 * (from ?? 0)));
-    const xs = Array.from({ length: 61 }, (_, i) => (last * i) / 60);
+    const names = namesOf(plans);
+    // Where another plan takes the lead the lines have their corners.
+    const xs = [
+      ...new Set([
+        ...Array.from({ length: 61 }, (_, i) => (last * i) / 60),
+        ...answer.ranges.flatMap(({ from }) => (from === null || from > last ? [] : [from])),
+      ]),
+    ].sort((one, other) => one - other);
+    const costs = plans.map((plan) => xs.map((x) => costAt(plan, testCost, x / unit)));
+    const least = xs.map((_, i) => Math.min(...costs.map((each) => each[i]!)));
     const chart = plot({
-      label: 'What each plan costs, by what a change costs; the numbers are in the table',
+      label:
+        'How much more each plan costs than the cheapest one, by what a change costs; where ' +
+        'which is cheapest is in the table',
       x: /factor/.test(answer.by) ? 'all change costs, times' : 'cost of a change',
-      y: 'cost of all tests',
+      y: 'more than the cheapest',
       signal,
       xText: (x) => about(/factor/.test(answer.by) ? x : x * testCost),
       yText: about,
       mark: () => (factor() ?? 1) * unit,
       fromZero: true,
     });
-    const lines = plans.slice(0, 6).map((plan, i): Line => ({
-      label: plan.name,
+    const lines = plans.slice(0, 6).map((_, i): Line => ({
+      label: names[i]!,
       colour: i + 1,
       width: 2,
       ...(i === 0 ? {} : { dash: [8, 2 + 2 * i] }),
-      values: xs.map((x) => costAt(plan, testCost, x / unit)),
+      values: costs[i]!.map((cost, at) => cost - least[at]!),
     }));
     const body = h('tbody');
     const price = (ratio: number | null, none: string) =>
@@ -218,10 +243,9 @@ export function whatIf(
               'td',
               {},
               h('span', { class: `swatch line-${i + 1}`, 'aria-hidden': 'true' }),
-              range.plan.name,
+              names[i]!,
+              h('span', { class: 'hint made-by' }, range.plan.name),
             ),
-            h('td', { class: 'number' }, number(range.plan.tests)),
-            h('td', { class: 'number' }, number(range.plan.changes)),
           ),
         ),
       );
@@ -248,8 +272,6 @@ export function whatIf(
               ),
               h('th', { class: 'number' }, 'to'),
               h('th', {}, 'cheapest'),
-              h('th', { class: 'number' }, 'tests'),
-              h('th', { class: 'number' }, 'changes'),
             ),
           ),
           body,
