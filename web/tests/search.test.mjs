@@ -95,11 +95,19 @@ test('a search: started, watched, stopped; it survives reloads', async (explorer
 });
 
 test('what it found opens in the viewer and is kept in the catalog', async (explorer) => {
-  const page = await explorer.open('#/search');
-  await begin(page, 12, 5);
+  const page = await explorer.open('#/search?v=12&k=5&change=1&kind=linear&strength=3&seconds=10');
+  await page.getByText('No design is known yet; none').waitFor();
+  await page.getByText('Starts from random blocks').waitFor();
+  await page.getByRole('button', { name: 'Start' }).click();
   await watched(page)
     .getByText(/^(Done|Stopped) after/)
     .waitFor({ timeout: 60_000 });
+  // It is not a known one.
+  await watched(page)
+    .getByRole('heading', { name: /^The first design: \d+ blocks$/ })
+    .waitFor();
+  await watched(page).locator('.ladder .best', { hasText: 'this search' }).waitFor();
+  await watched(page).getByText('no design was known before').waitFor();
   await watched(page).getByRole('button', { name: 'Add to my catalog' }).click();
   // The result comes first, then what can be done with it.
   const [result, open, reasons] = await Promise.all(
@@ -109,9 +117,29 @@ test('what it found opens in the viewer and is kept in the catalog', async (expl
   );
   assert.ok(result.y < open.y && open.y === reasons.y && result.height > 30);
   const label = await watched(page).locator('a[href*="label="]').textContent();
-  assert.match(label, /^12\.5\.2\.linear\.\d+\./);
+  assert.match(label, /^12\.5\.1\.linear\.t3\.\d+\./);
   await watched(page).getByRole('link', { name: 'Open the design' }).click();
   await page.waitForURL(/design\?job=\d+/);
+});
+
+test('where no better design was found, the next step is another search', async (explorer) => {
+  const page = await explorer.open('#/search?v=40&k=6&seconds=10');
+  await page.getByText(/^Gap 1: a design with 88 blocks/).waitFor();
+  await page.getByRole('button', { name: 'Start' }).click();
+  await watched(page)
+    .getByRole('heading', { name: 'No better design was found: 88 blocks, as before' })
+    .waitFor({ timeout: 60_000 });
+  assert.deepEqual(
+    await watched(page)
+      .locator('.next-steps > :visible')
+      .evaluateAll((all) => all.map((each) => [each.textContent, each.matches('.plain')])),
+    [
+      ['Search again …', false],
+      ['Open the design', true],
+      ['What is known of the gap', true],
+    ],
+  );
+  await page.locator('.of-server tr.own', { hasText: '88 blocks, no better' }).waitFor();
 });
 
 test('exact, from base blocks, with locked sets', async (explorer) => {

@@ -52,6 +52,10 @@ const strengths: readonly (readonly [string, string])[] = [
   ['4', 'quadruples (t = 4)'],
 ];
 
+/** Of a local search in a cell without a design. */
+const fromNothing =
+  'Starts from random blocks, because no design is known yet, and changes them step by step.';
+
 /** "0, 1,2" as elements. @throws Error with a line that can be shown. */
 function elementsOf(name: string, text: string): number[] {
   const words = text.split(/[\s,]+/).filter(Boolean);
@@ -230,6 +234,9 @@ async function render(view: View): Promise<void> {
                 `There is nothing to find.`
               : `Gap ${best.b - (bound ?? 0)}: a design with ${count(best.b, 'block')} is known; ` +
                 `none has fewer than ${bound ?? '?'}.`;
+        if (way.value === 'local' && best === null && !impossible) {
+          fill(about_way, fromNothing);
+        }
         const nothing = impossible || (best !== null && best.b === bound);
         fill(
           known,

@@ -296,10 +296,10 @@ SearchJobs::Found SearchJobs::search_locally(const Job& job) {
     found.design = better || !design.recipe ? credited(order, std::move(design), "") : design;
   }
   const std::string known = result.started_from
-                                ? count_of(*result.started_from, "block") + " were known"
-                                : "none was known";
+                                ? count_of(*result.started_from, "block") + " were known before"
+                                : "no design was known before";
   found.message = !found.design               ? stopped_early(result.why_stopped)
-                  : better                    ? fmt::format("{}; {}", result.how, known)
+                  : better                    ? fmt::format("found with {}; {}", result.how, known)
                   : result.unsearched.empty() ? "nothing better was found"
                                               : "no search was made: " + result.unsearched;
   return found;

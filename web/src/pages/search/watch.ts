@@ -6,7 +6,7 @@ import { count, nameOf, number } from '../../lib/words';
 import { ladder } from '../../parts/ladder';
 import { plot } from '../../parts/plot';
 import { link, problem } from '../../shell/router';
-import { rate, result, seconds, size, times, wayWords } from './words';
+import { isNew, rate, result, seconds, size, times, wayWords } from './words';
 
 export interface Watch {
   readonly element: HTMLElement;
@@ -81,13 +81,14 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
   const reached = h('div', {});
   const advice = h('p', { class: 'advice', role: 'status' });
   const decided = h('div', { class: 'decisions' });
+  const next = h('div', { class: 'row next-steps' }, open, keep, why, again);
   const element = h(
     'section',
     { class: 'watch' },
     name,
     title,
     words,
-    h('div', { class: 'row' }, progress, stop, open, keep, why, again),
+    h('div', { class: 'row' }, progress, stop, next),
     said,
     advice,
     figures,
@@ -231,7 +232,13 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       figures,
       facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
     );
-    fill(reached, ladder(job.lower_bound, job.best, { start: job.start_best }));
+    fill(
+      reached,
+      ladder(job.lower_bound, job.best, {
+        start: job.start_best,
+        reached: isNew(job) ? 'this search' : 'best known',
+      }),
+    );
     fill(
       advice,
       gap === 0
@@ -337,7 +344,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     }
     stop.hidden = !running || !mayAct;
     open.hidden = running || job.best === null;
-    keep.hidden = running || job.best === null || !mayAct;
+    keep.hidden = running || !isNew(job) || !mayAct;
     const { v, k, change, kind, strength, way } = job;
     const cell = { v, k, change, kind, strength: strength === 2 ? null : strength };
     why.href = link('cell', cell);
@@ -355,6 +362,13 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       seed: way === 'exact' ? null : job.seed + 1,
     });
     again.hidden = running || known || !mayAct;
+    // What comes next stands first: what was found, or another try.
+    const instead = !again.hidden && !isNew(job);
+    if (instead !== (next.firstElementChild === again)) {
+      instead ? next.prepend(again) : next.append(again);
+    }
+    again.classList.toggle('plain', !instead);
+    open.classList.toggle('plain', instead);
   }
   [stop, open, keep, why, again, speeds].forEach((each) => (each.hidden = true));
   return {

@@ -34,6 +34,16 @@ export const wayWords: Record<SearchJob['way'], string> = {
   locked: 'locked sets',
 };
 
+/** Whether the search has a design that was not known before it. */
+export function isNew({ best, start_best: start }: SearchJob): boolean {
+  return best !== null && (start === null || best < start);
+}
+
+/** Whether it is the first design of its cell. Other ways may set out from nothing anywhere. */
+function isFirst(job: SearchJob): boolean {
+  return job.way === 'local' && job.state !== 'running' && job.start_best === null && isNew(job);
+}
+
 /** "87 blocks, 3 fewer than were known" */
 export function found(job: SearchJob): string {
   const { best, start_best: start, lower_bound: bound } = job;
@@ -41,13 +51,19 @@ export function found(job: SearchJob): string {
     return job.state === 'running' ? 'nothing yet' : 'nothing found';
   }
   const better =
-    start !== null && best < start ? `, ${number(start - best)} fewer than were known` : '';
+    start !== null && best < start
+      ? `, ${number(start - best)} fewer than were known`
+      : isFirst(job)
+        ? ', the first design'
+        : job.state !== 'running' && !isNew(job) && best !== bound
+          ? ', no better'
+          : '';
   return count(best, 'block') + better + (best === bound ? ', the minimum' : '');
 }
 
 /** The result as a headline: "87 blocks, 3 fewer than were known" */
 export function result(job: SearchJob): string {
-  const { state, best, start_best: start, lower_bound: bound } = job;
+  const { state, best, lower_bound: bound } = job;
   if (state === 'failed') {
     return 'The search failed';
   }
@@ -56,9 +72,11 @@ export function result(job: SearchJob): string {
   }
   return best === null
     ? 'No design was found'
-    : start !== null && best >= start && best !== bound
-      ? `No better design was found: ${count(best, 'block')}, as before`
-      : found(job);
+    : isFirst(job)
+      ? `The first design: ${count(best, 'block')}${best === bound ? ', the minimum' : ''}`
+      : !isNew(job) && best !== bound
+        ? `No better design was found: ${count(best, 'block')}, as before`
+        : found(job);
 }
 
 export function rate(perSecond: number): string {
