@@ -111,6 +111,8 @@ test('a model of parameters: one value of each, its rules obeyed', async (explor
   for (const [os, browser] of rows) {
     assert.ok(browser !== 'Safari' || os === 'macOS 14', `${os} ${browser}`);
   }
+  assert.match(await page.locator('.verdict').textContent(), /another value costs what its row/);
+  assert.ok(!(await page.locator('#main').textContent()).includes('Tick “gone”'));
   await look(page, 'plan-model');
 });
 
@@ -328,6 +330,18 @@ test('three benches: a sheet each; a part is on one bench at a time', async (exp
   await page.getByText('day 1, 0:00').first().waitFor();
   assert.ok((await page.locator('.next-test').count()) >= 1);
   await page.getByText('The comparison of costs covers one bench only.').waitFor();
+  // A test begins when the one before it on its bench ends, or on another day; the last one's end
+  // is that of the bench.
+  for (const sheet of await page.locator('.bench-sheet').all()) {
+    const begins = await sheet.locator('td.of-when').allTextContents();
+    const ends = await sheet.locator('td.of-sum').allTextContents();
+    assert.match(ends.join(), /^(day \d+, \d+:\d\d,?)+$/);
+    const sameDay = (one, other) => one.split(',')[0] === other.split(',')[0];
+    begins.slice(1).forEach((begin, i) => {
+      assert.ok(begin === ends[i] || !sameDay(begin, ends[i]), `${ends[i]}, then ${begin}`);
+    });
+    assert.match(await sheet.locator('h3').textContent(), new RegExp(`, done ${ends.at(-1)}$`));
+  }
 
   // Its workbook holds the whole question: on a page that knows nothing it comes back with results,
   // each on the sheet of its bench.

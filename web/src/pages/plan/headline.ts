@@ -34,12 +34,12 @@ function gap(outcome: Outcome, money: (cost: number) => string): string {
   if (!early) {
     return words;
   }
-  const end = `${money(cost)}${finish ? ` (${finish})` : ''}`;
+  const end = finish ? `on ${finish} (at ${money(cost)})` : `at ${money(cost)}`;
   const sooner = words
     .replace('No plan is cheaper', 'No plan is done earlier')
     .replace('No plan costs less than', 'No plan is done before');
   const together = money(outcome.together);
-  return `The last test ends at ${end}; all benches together cost ${together}. ${sooner}`;
+  return `The last test ends ${end}; all benches together cost ${together}. ${sooner}`;
 }
 
 /** What is to be tested, in a few words; empty if nothing is there yet. */
@@ -52,6 +52,16 @@ export function inShort(job: Job, benches = 0): string {
       : `${count(parts, 'part')}` +
         `${job.atOnce === null ? '' : `, ${job.atOnce} at a time`}` +
         `${benches > 0 ? `, ${count(benches, 'bench', 'benches')}` : ''}`;
+}
+
+/** What a change costs, with what says it first. */
+function changing(job: Job, cost: string): string {
+  const byRow = job.changeCosts.trim() !== '' ? 'what its row of costs says, else ' : '';
+  if (job.source === 'model') {
+    return `setting another value costs ${byRow}${cost}`;
+  }
+  const byPart = job.parts.some((part) => part.cost !== null) ? 'what the list says, else ' : '';
+  return `putting a part in costs ${byRow}${byPart}${cost}; taking out is free`;
 }
 
 export function headline(job: Job, outcome: Outcome): HTMLElement {
@@ -109,9 +119,7 @@ export function headline(job: Job, outcome: Outcome): HTMLElement {
     h(
       'p',
       { class: 'hint' },
-      `A test costs ${money(outcome.testCost)}; putting a part in costs `,
-      job.parts.some((part) => part.cost !== null) && 'what the list says, else ',
-      `${money(outcome.changeCost)}; taking out is free. `,
+      `A test costs ${money(outcome.testCost)}; ${changing(job, money(outcome.changeCost))}. `,
       `${number(outcome.met.tested)} of ${number(outcome.met.needed)} needed ` +
         `${outcome.met.what} are tested, counted by an independent checker.`,
     ),

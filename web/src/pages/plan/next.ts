@@ -38,11 +38,11 @@ export function nextTests(
       h(
         'h3',
         {},
-        `Next: test ${names[i]} of ${of}`,
+        `Next: test ${names[i]} of\u00a0${of} `,
         h(
           'span',
           { class: 'hint' },
-          ` costs ${money(test.cost)}${test.when ? `, ${test.when}` : ''}`,
+          `costs ${money(test.cost)}${test.when ? `, begins ${test.when}` : ''}`,
         ),
       ),
       ...(test.values || all

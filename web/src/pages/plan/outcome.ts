@@ -19,6 +19,8 @@ export interface Test {
   values?: Record<string, string>;
   /** When it begins on its bench, as the plan has it. */
   when?: string;
+  /** When it ends there. */
+  ends?: string;
   /** "pass", "fail", …, as it was written; '' is none. */
   result: string;
   notes: string;
@@ -163,6 +165,8 @@ function clock(
   return `${date ?? `day ${day}`}, ${time}`;
 }
 
+const hoursOf = { seconds: 1 / 3600, minutes: 1 / 60, hours: 1 };
+
 /** The same places first, as they were numbered; then new ones. */
 function placed(test: Test, from: readonly Place[], to: readonly Place[]): Test {
   if (!test.places) {
@@ -237,12 +241,21 @@ function ofBenches(
       .map((test) => placed(test, places, plan.places)),
     ...sheet.steps.map((each): Test => {
       const when = clock(each.day, each.hour, each.date);
+      // Costs of benches with hours are in hours if nothing else is said. A test ends on its day.
+      const ends = clock(
+        each.day,
+        each.hour === undefined
+          ? undefined
+          : each.hour + each.cost * hoursOf[plan.cost_unit ?? 'hours'],
+        each.date,
+      );
       return {
         bench: sheet.name,
         parts: each.set_up,
         places: each.places,
         cost: each.cost,
         ...(when ? { when } : {}),
+        ...(ends ? { ends } : {}),
         ...untested,
       };
     }),

@@ -555,13 +555,17 @@ export class PlanPage {
       this.view.go(this.run ? { run: this.run.id, s: null, id: null } : { s, id, run: null }, {
         quiet: true,
       });
+      // A model has no list of parts.
+      const gone =
+        this.state.job.source === 'model'
+          ? ''
+          : 'A part broke? Tick “gone” in the list, then replan the remaining tests. ';
       this.sayKept(
         this.run
           ? ''
           : whole
-            ? 'A part broke? Tick “gone” in the list, then replan the remaining tests. The ' +
-              'link of this page holds the whole job with its sheet and what is done; this ' +
-              'browser keeps it, too.'
+            ? `${gone}The link of this page holds the whole job with its sheet and what is ` +
+              'done; this browser keeps it, too.'
             : 'This job is too long for a link: it is kept in this browser, and the link opens ' +
               'it only here. Download it as CSV to pass it on.',
       );

@@ -266,8 +266,8 @@ export function runSheet(
       h('td', { class: 'number of-cost', 'data-label': 'cost' }, money(test.cost)),
       h(
         'td',
-        { class: 'number of-sum', 'data-label': 'so far' },
-        clock ? clock(sumAt[i]!) : money(sumAt[i]!),
+        { class: 'number of-sum', 'data-label': hasTimes ? 'ends' : 'so far' },
+        test.ends ?? (clock ? clock(sumAt[i]!) : money(sumAt[i]!)),
       ),
       h('td', { class: 'of-notes', 'data-label': 'notes' }, notes),
     );
@@ -332,7 +332,7 @@ export function runSheet(
                 ? slots.map((slot) => h('th', {}, slot ?? 'other'))
                 : [h('th', {}, 'take out'), h('th', {}, 'put in'), h('th', {}, 'what is in')]),
             h('th', { class: 'number' }, 'cost'),
-            h('th', { class: 'number' }, clock ? 'clock' : 'so far'),
+            h('th', { class: 'number' }, hasTimes ? 'ends' : clock ? 'clock' : 'so far'),
             h('th', { class: 'of-notes' }, 'notes'),
           ),
         ),
@@ -345,6 +345,8 @@ export function runSheet(
     ? benches.map(({ name, down, end }) => {
         const indices = tests.flatMap(({ bench }, i) => (bench === name ? [i] : []));
         const sum = sums.get(name) ?? 0;
+        const last = tests[indices.at(-1) ?? -1]?.ends;
+        const done = last ? `, done ${last}` : end > sum ? `, done at ${money(end)}` : '';
         return h(
           'section',
           { class: 'bench-sheet' },
@@ -355,10 +357,7 @@ export function runSheet(
             h(
               'span',
               { class: 'hint' },
-              down
-                ? ' out of order'
-                : ` ${count(indices.length, 'test')}, ` +
-                    `${money(sum)}${end > sum ? `, done at ${money(end)}` : ''}`,
+              down ? ' out of order' : ` ${count(indices.length, 'test')}, ${money(sum)}${done}`,
             ),
           ),
           indices.length > 0
