@@ -193,6 +193,15 @@ test('of triples few designs are known: the first that is read has one', async (
   assert.equal(await page.getByLabel('Status').inputValue(), 'known');
 });
 
+test('a better design that a publication reports is on the card of its cell', async (explorer) => {
+  const page = await explorer.open('#/catalog?change=1&kind=linear&at=26.6');
+  await page.locator('.readout', { hasText: /blocks64.*reported63, Bean 2026/ }).waitFor();
+  await page.goto(page.url().replace(/#.*/, '#/search?v=26&k=6&change=1&kind=linear'));
+  await page
+    .locator('.search-known', { hasText: 'Bean 2026 reports one with 63 blocks' })
+    .waitFor();
+});
+
 test('cells are counted in the range that is chosen', async (explorer) => {
   const page = await explorer.open('#/catalog?strength=3&k=4..6&v=5..30');
   const [, known, all] = /known for (\d+) of these (\d+) cells/.exec(

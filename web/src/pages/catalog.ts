@@ -1,9 +1,10 @@
 // The catalog: all cells as a map and as a table, and what is known of the one that is pointed at.
 import type { Kind } from '../lib/api';
 import type { Atlas, AtlasCell, Selection } from '../lib/atlas';
+import { work } from '../lib/citations';
 import { announce, field, fill, h, select } from '../lib/dom';
 import { readRange } from '../lib/range';
-import { addGroups, atlasOf, completeness } from '../lib/source';
+import { addGroups, atlasOf, cellDetail, completeness } from '../lib/source';
 import { changes, changeWord, count, kinds, number, ratio } from '../lib/words';
 import { more } from '../parts/more';
 import { badge } from '../parts/status';
@@ -125,6 +126,27 @@ export const catalog: Page = {
       moved: () => soon(),
     });
 
+    /** A design that a publication reports is on no map: it is asked for when a cell is read. */
+    let reading = 0;
+    function addReport(cell: AtlasCell, list: HTMLElement): void {
+      window.clearTimeout(reading);
+      if (cell.gap === 0 || cell.status === 'impossible') {
+        return;
+      }
+      reading = window.setTimeout(() => {
+        cellDetail(cell, view.signal).then(
+          ({ reported }) =>
+            reported &&
+            list.append(
+              h('dt', {}, 'reported'),
+              h('dd', {}, `${number(reported.blocks)}, `, work(reported.cites)),
+            ),
+          () => undefined, // All else is there.
+        );
+      }, 200);
+    }
+    view.signal.addEventListener('abort', () => window.clearTimeout(reading));
+
     function read(cell: AtlasCell): void {
       const facts: [string, string][] = [
         ['blocks', cell.b === null ? 'none known' : number(cell.b)],
@@ -149,6 +171,12 @@ export const catalog: Page = {
             ] as [string, string][])
           : []),
       ];
+      const list = h(
+        'dl',
+        { class: 'facts' },
+        facts.map(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]).flat(),
+      );
+      addReport(cell, list);
       fill(
         readout,
         h('h2', {}, `v = ${cell.v}, k = ${cell.k} `),
@@ -158,11 +186,7 @@ export const catalog: Page = {
           badge(cell.status),
           cell.tight && [' ', h('span', { class: 'badge good' }, 'tight')],
         ),
-        h(
-          'dl',
-          { class: 'facts' },
-          facts.map(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]).flat(),
-        ),
+        list,
         h(
           'p',
           {},

@@ -8,6 +8,7 @@ import {
   type SearchOrder,
   type SearchWay,
 } from '../lib/api';
+import { work } from '../lib/citations';
 import { announce, field, fill, h, select } from '../lib/dom';
 import { listen, retryNow } from '../lib/events';
 import { cellDetail } from '../lib/source';
@@ -223,7 +224,7 @@ async function render(view: View): Promise<void> {
       ...(strength.value === '2' ? {} : { strength: Number(strength.value) }),
     };
     cellDetail(cell, mine).then(
-      ({ best, lower_bound: bound, impossible }) => {
+      ({ best, lower_bound: bound, impossible, reported }) => {
         const words = impossible
           ? `There is no such design: ${impossible}`
           : best === null
@@ -242,6 +243,10 @@ async function render(view: View): Promise<void> {
           known,
           h('strong', {}, words),
           ' ',
+          reported && [
+            work(reported.cites),
+            ` reports one with ${count(reported.blocks, 'block')}, which is not held here. `,
+          ],
           h('a', { href: link('cell', cell) }, 'More about these parameters'),
           nothing
             ? [
