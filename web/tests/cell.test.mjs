@@ -59,6 +59,19 @@ test('how many there are, and what others report', async (explorer) => {
   assert.match(await bean.getAttribute('href'), /^https:\/\/arxiv\.org/);
 });
 
+test('the head of a cell names the strength, and says what the recipe says', async (explorer) => {
+  const page = await explorer.open('#/cell?v=8&k=4&change=2&kind=circular&strength=3');
+  assert.match(await page.locator('.under').textContent(), /DCCD.*t\s*=\s*3.*cell 8\.4\.2/s);
+  assert.deepEqual(await page.locator('.known .figure .badge').allTextContents(), [
+    'minimum',
+    'tight',
+  ]);
+  await page
+    .locator('.recipe')
+    .getByRole('link', { name: /DCCD\(8,4\), t.=.3/ })
+    .waitFor();
+});
+
 test('where none exists, the cell is framed among its neighbours', async (explorer) => {
   const page = await explorer.open('#/cell?v=6&k=5&change=5');
   for (const width of [1280, 390]) {

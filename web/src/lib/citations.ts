@@ -9,13 +9,13 @@ const works: Readonly<Record<string, { text: string; url: string | null }>> = re
 export const cited: readonly (readonly [key: string, text: string, url: string | null])[] =
   Object.entries(works).map(([key, { text, url }]) => [key, text, url]);
 
-/** A key as people write it: "Bean 2026". */
-function spoken(key: string): string {
-  return key
-    .replace(/EtAl/, ' et al.')
-    .replace(/(?<=[a-z.])(?<!Mc)(?=[A-Z])/g, '–')
-    .replace(/–?(\d{4}\w?)$/, ' $1')
-    .replace('–et', ' et');
+/** A key as people write it: "Bean 2026", "Chafee and Stevens 2025". */
+export function spoken(key: string): string {
+  const [, names = key, year = ''] = /^(\D+)(\d{4}\w?)$/.exec(key) ?? [];
+  const each = names.replace(/EtAl$/, '').split(/(?<=[a-z])(?<!Mc)(?=[A-Z])/);
+  const all =
+    each.length > 1 ? `${each.slice(0, -1).join(', ')} and ${each.at(-1)!}` : each.join('');
+  return `${all}${names.endsWith('EtAl') ? ' et al.' : ''}${year && ` ${year}`}`;
 }
 
 /**

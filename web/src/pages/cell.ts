@@ -1,6 +1,7 @@
 // One cell: what is known of its parameters, why, from whom, since when, and how many designs there
 // are.
 import type { Cell, CellDetail, Design } from '../lib/api';
+import { counted } from '../lib/atlas';
 import { work } from '../lib/citations';
 import { fill, h, scroll, type Child } from '../lib/dom';
 import { formula } from '../lib/mathematics';
@@ -148,6 +149,7 @@ function summary(
   }
   const over = detail.lower_bound === null ? 0 : best.b - detail.lower_bound;
   const strongest = detail.bounds[0];
+  const { tight } = counted({ ...cell, strength: cell.strength ?? 2, b: best.b });
   return h(
     'div',
     { class: 'known' },
@@ -155,7 +157,13 @@ function summary(
       'p',
       { class: 'figure' },
       h('strong', {}, number(best.b)),
-      h('span', {}, ` ${best.b === 1 ? 'block' : 'blocks'} `, badge(best.status)),
+      h(
+        'span',
+        {},
+        ` ${best.b === 1 ? 'block' : 'blocks'} `,
+        badge(best.status),
+        tight && [' ', h('span', { class: 'badge good' }, 'tight')],
+      ),
     ),
     h(
       'div',
@@ -427,6 +435,7 @@ export const cell: Page = {
           `\\mathrm{${short}}(${wanted.v},\\,${wanted.k})`,
           `${short}(${wanted.v}, ${wanted.k})`,
         ),
+        ...(strength > 2 ? [', ', formula(`t = ${strength}`, `t = ${strength}`)] : []),
         ', ',
       ],
       `cell ${wanted.v}.${wanted.k}.${wanted.change}.${wanted.kind}` +

@@ -47,6 +47,8 @@ export function citation(text: string): Child[] {
     : reason(text.startsWith('[') ? text.replace(/^\[|\]$/g, '') : text);
 }
 
+const isOurs = (text: string): boolean => /^\[docs\/theorems\.md, /.test(text);
+
 function node(tree: TreeNode, strength: number, depth: number): HTMLElement {
   const text = h(
     'div',
@@ -66,6 +68,7 @@ function node(tree: TreeNode, strength: number, depth: number): HTMLElement {
           }),
         },
         shortName(tree),
+        strength > 2 && `, t\u00a0=\u00a0${strength}`,
       ),
       tree.verdict?.valid !== false && `, ${count(tree.b, 'block')} `,
       tree.verdict?.tight && h('span', { class: 'badge good' }, 'tight'),
@@ -85,7 +88,8 @@ function node(tree: TreeNode, strength: number, depth: number): HTMLElement {
     ),
     tree.citation &&
       !/^\[(elementary|src\/.*)\]$/.test(tree.citation) &&
-      h('p', { class: 'hint' }, citation(tree.citation)),
+      // A theorem of ours is named as the picture of the recipe names it.
+      h('p', { class: 'hint' }, isOurs(tree.citation) && 'Changeover, ', citation(tree.citation)),
   );
   if (tree.inputs.length === 0) {
     return h('li', {}, text);

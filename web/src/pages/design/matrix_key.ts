@@ -68,8 +68,8 @@ export function matrixKey(
               ['twice', 'one'],
               ['more', 'more'],
             ].flatMap(([name, words]) => [
-              h('span', { class: `key key-${name}` }),
-              `\u00a0${words} `,
+              h('span', { class: 'whole' }, h('span', { class: `key key-${name}` }), ` ${words}`),
+              ' ',
             ]),
           ],
     ),
