@@ -288,9 +288,13 @@ test('on paper there is the sheet alone, with boxes', async (explorer) => {
   await press(page, 1);
   await page.emulateMedia({ media: 'print' });
   // What is written down is as black as the rest; the other box is not there.
-  assert.equal(
-    await sheetButton(page, 1, 'pass').evaluate((button) => getComputedStyle(button).color),
-    'rgb(0, 0, 0)',
+  assert.deepEqual(
+    await sheetButton(page, 1, 'pass').evaluate((button) => {
+      const { color, backgroundColor } = getComputedStyle(button);
+      return [color, backgroundColor];
+    }),
+    ['rgb(0, 0, 0)', 'rgba(0, 0, 0, 0)'],
+    'a sign in black on the paper',
   );
   assert.ok(!(await sheetButton(page, 1, 'fail').isVisible()));
   assert.ok(!(await page.locator('.plan-form').isVisible()));
