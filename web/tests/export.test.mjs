@@ -206,7 +206,13 @@ test('no link leads to what the copy does not have', async (explorer) => {
 
 test('what the copy does not have is said', async (explorer) => {
   const page = await explorer.open('#/cell?v=50&k=5');
-  await page.getByRole('alert').filter({ hasText: 'static copy does not have it' }).waitFor();
+  const note = page.locator('.note', { hasText: 'static copy does not have it: it has designs' });
+  await note.filter({ hasText: /k\s=\s\d+ to \d+ and v\s=\s\d+ to \d+/ }).waitFor();
+  await note.getByRole('link', { name: 'on the map' }).click();
+  await page.getByRole('heading', { name: 'Catalog', level: 1 }).waitFor();
+  // The map is no higher than its few rows need.
+  const { height } = await page.locator('.atlas').boundingBox();
+  assert.ok(height < 330, `${height} px`);
   await page.close();
   const none = await explorer.open('#/design?label=99.5.2.circular.1.00000000', {
     mayFail: /status of 404/,

@@ -1,6 +1,6 @@
 // One cell: what is known of its parameters, why, from whom, since when, and how many designs there
 // are.
-import type { Cell, CellDetail, Design } from '../lib/api';
+import { ApiError, type Cell, type CellDetail, type Design } from '../lib/api';
 import { counted } from '../lib/atlas';
 import { work } from '../lib/citations';
 import { fill, h, scroll, type Child } from '../lib/dom';
@@ -8,7 +8,7 @@ import { formula } from '../lib/mathematics';
 import { cellDetail, designOf, dossierAddress, explain, isHeld } from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
-import { changeWord, count, nameOf, number, ratio } from '../lib/words';
+import { changeWord, count, nameOf, number, rangeWords, ratio } from '../lib/words';
 import { command } from '../parts/command';
 import { copyButton } from '../parts/copy';
 import { downloads } from '../parts/downloads';
@@ -17,7 +17,7 @@ import { ladder } from '../parts/ladder';
 import { defined, reason, recipeTree } from '../parts/recipe';
 import { badge } from '../parts/status';
 import { thumbnail } from '../parts/thumbnail';
-import { isCopy } from '../shell/about';
+import { about, isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { madeBy, origins } from './cell/designs';
 import { neighbourhood } from './cell/neighbours';
@@ -452,6 +452,11 @@ export const cell: Page = {
         fill(body, h('p', { class: 'hint' }, 'Asking what is known …'));
       });
     } catch (fault) {
+      if (frozen && fault instanceof ApiError && fault.status === 404) {
+        begin();
+        fill(body, await beyondTheCopy(wanted), exchanged(wanted));
+        return;
+      }
       if (wanted.k <= wanted.v || view.signal.aborted) {
         fill(body);
         begin();
@@ -540,6 +545,24 @@ export const cell: Page = {
     }
   },
 };
+
+/** What a static copy says of a cell that it does not have, and the way to those that it has. */
+async function beyondTheCopy(cell: Cell): Promise<HTMLElement> {
+  const { range } = await about();
+  const { change, kind } = cell;
+  const there = range?.changes.includes(change) ? { change, kind } : {};
+  return h(
+    'p',
+    { class: 'note', role: 'status' },
+    'This static copy does not have it',
+    range && `: it has designs with ${rangeWords(range)}`,
+    '. See those ',
+    h('a', { href: link('catalog', there) }, 'on the map'),
+    '; ',
+    h('code', {}, 'changeover serve'),
+    ' on a machine of your own shows every cell and design.',
+  );
+}
 
 function explaining(cell: Cell): string {
   return (

@@ -7,6 +7,8 @@ import { isCopy } from './about';
 import { link, type Page } from './router';
 
 interface Elsewhere {
+  /** The heading of the page, if it is not its name. */
+  readonly title?: string;
   /** What the page is for, in a sentence. */
   readonly what: string;
   /** What comes of it. */
@@ -37,6 +39,7 @@ const parts = 'name,cost\npump A,5\npump B,5\nvalve,2\nfilter,1\nheater,3\nsenso
 
 const elsewhere: Record<string, Elsewhere> = {
   plan: {
+    title: 'Plan tests',
     what:
       'A set-up holds some of your parts, and every two parts must be tested together. The ' +
       'program lists the set-ups in the order that costs least.',
@@ -55,12 +58,14 @@ const elsewhere: Record<string, Elsewhere> = {
     command: () => 'changeover loadorder --items 64 --room 16',
   },
   search: {
+    title: 'Search for designs',
     what:
       'A search looks for a design with fewer blocks than are known, or proves that there is ' +
       'none.',
     command: searching,
   },
   verify: {
+    title: 'Verify a design',
     what:
       'The program checks a list of blocks: does every pair meet, does each step change the same ' +
       'number of elements, and are fewer blocks possible?',
@@ -79,7 +84,7 @@ export function whereThereIsAServer(page: Page): Page {
       const there = elsewhere[page.path];
       fill(
         view.root,
-        h('h1', {}, page.title),
+        h('h1', {}, there?.title ?? page.title),
         there && h('p', { class: 'lead' }, there.what),
         there?.picture && h('div', { class: 'door-picture elsewhere' }, there.picture()),
         h(
