@@ -186,7 +186,7 @@ test('a link to an older state does not undo what was done since', async (explor
   await other.getByText('1 of 17 tests done; 16 of 117 spent').waitFor();
 });
 
-test('the rest is planned anew after some tests, without a part that is gone', async (explorer) => {
+test('the rest is replanned after some tests, without a part that is gone', async (explorer) => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   for (const i of [1, 2, 3]) {
@@ -327,7 +327,7 @@ test('a job too long for a link is kept; a link to one that is not says so', asy
   const other = await explorer.open('#/plan?id=nowhere');
   await other.getByRole('alert').getByText('this browser does not have it either').waitFor();
   const gone = await explorer.open(`#/plan?run=${'0'.repeat(24)}`, { mayFail: /404/ });
-  await gone.getByRole('alert').getByText('not kept here any more').waitFor();
+  await gone.getByRole('alert').getByText('no longer stored here').waitFor();
 });
 
 test('the keyboard alone: rows by Enter and arrows, results by Space', async (explorer) => {

@@ -239,7 +239,7 @@ test('with a budget plans are compared for the whole job, and it is said', async
 });
 
 test(
-  'a run that is planned anew in one window is so in the others; parts that stay keep their ' +
+  'a run that is replanned in one window is so in the others; parts that stay keep their ' +
     'places',
   async (explorer) => {
     const one = await explorer.open('#/plan');
@@ -260,7 +260,7 @@ test(
     assert.deepEqual(later.slice(0, 2), earlier.slice(0, 2));
     assert.ok(later.slice(2).every((set) => !set.includes('P5520')));
     for (const other of [two, looking]) {
-      await other.getByText('planned anew in another window').waitFor();
+      await other.getByText('replanned in another window').waitFor();
       assert.deepEqual(await setUps(other), later);
     }
     await press(one, 3, 'fail');
