@@ -16,6 +16,7 @@
 #include "io/request/request_document.hpp"
 #include "io/scan/peeked_input.hpp"
 #include "io/scan/row_reader.hpp"
+#include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
 namespace {
@@ -134,6 +135,26 @@ SheetOfSteps steps_on(const RunWorkbook& book, const std::string& name) {
   return steps;
 }
 
+// Whether one of the first rows has a head of results beside others.
+bool has_head_of_results(const RunWorkbook& book, const SheetName& name) {
+  try {
+    WorkbookSheet sheet = book.rows(name.name);
+    for (std::size_t above = 0; above <= most_titles; ++above) {
+      const auto row = sheet.next();
+      if (!row) {
+        return false;
+      }
+      if (row->cells.size() > 1) {
+        return std::ranges::any_of(row->cells,
+                                   [](const SheetCell& cell) { return heads_results(cell.text); });
+      }
+    }
+  } catch (const BadInput&) {
+    return false;  // What is wrong on a sheet is said where it is read.
+  }
+  return false;
+}
+
 // Whether half of the tests of the shorter sheet are on both.
 bool are_copies(const SheetOfSteps& one, const SheetOfSteps& other) {
   const auto shared = static_cast<std::size_t>(std::ranges::count_if(
@@ -181,16 +202,31 @@ std::vector<std::string> RunWorkbook::run_sheets(std::vector<std::string>* notes
   return found.size() < 2 ? found : without_copies(*this, found, notes);
 }
 
-std::optional<std::string> RunWorkbook::tests_done() const {
+std::vector<std::string> RunWorkbook::tests_done() const {
+  std::vector<std::string> found;
   const SheetName* const named = sheet(done_sheet);
   if (named != nullptr) {
-    return named->name;
+    found.push_back(named->name);
   }
-  const auto found = std::ranges::find_if(sheets, [&](const SheetName& each) {
-    return !each.hidden && lower_case(each.name) != lower_case(steps_sheet) &&
-           shape(each.name) == SheetShape::done;
-  });
-  return found == sheets.end() ? std::nullopt : std::optional(found->name);
+  for (const SheetName& each : sheets) {
+    if (&each != named && !each.hidden && lower_case(each.name) != lower_case(steps_sheet) &&
+        shape(each.name) == SheetShape::done && steps_on(*this, each.name).results > 0) {
+      found.push_back(each.name);
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> RunWorkbook::unread_results() const {
+  std::vector<std::string> found;
+  for (const SheetName& each : sheets) {
+    const bool is_known = each.hidden || lower_case(each.name) == lower_case(done_sheet) ||
+                          lower_case(each.name) == lower_case(steps_sheet);
+    if (!is_known && shape(each.name) == SheetShape::other && has_head_of_results(*this, each)) {
+      found.push_back(each.name);
+    }
+  }
+  return found;
 }
 
 std::optional<RunWorkbook> run_workbook(const RequestList& list, const std::string& spelled) {
@@ -226,8 +262,9 @@ std::vector<std::unique_ptr<Input>> open_done(const RequestList& list, const std
   std::vector<std::unique_ptr<Input>> inputs;
   if (const auto book = run_workbook(list, spelled)) {
     const std::vector<std::string> run = book->run_sheets();
-    if (const auto done = run.empty() ? std::nullopt : book->tests_done()) {
-      inputs.push_back(book->open(*done));
+    const bool is_ours = !run.empty() || book->sheet(question_sheet) != nullptr;
+    for (const std::string& done : is_ours ? book->tests_done() : std::vector<std::string>()) {
+      inputs.push_back(book->open(done));
     }
     for (const std::string& sheet : run) {
       inputs.push_back(book->open(sheet));

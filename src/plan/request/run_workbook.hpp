@@ -43,8 +43,12 @@ struct RunWorkbook {
   /// line in `notes` says which.
   [[nodiscard]] std::vector<std::string> run_sheets(
       std::vector<std::string>* notes = nullptr) const;
-  /// The sheet of the tests that were done before: that of this name, or the first with such heads.
-  [[nodiscard]] std::optional<std::string> tests_done() const;
+  /// The sheets of tests that were done before: that of this name first, then all others with such
+  /// heads and some result, which people add.
+  [[nodiscard]] std::vector<std::string> tests_done() const;
+
+  /// The other visible sheets that have a head of results.
+  [[nodiscard]] std::vector<std::string> unread_results() const;
 
  private:
   [[nodiscard]] SheetShape shape(const std::string& wanted) const;
@@ -66,8 +70,8 @@ struct HeadRow {
 [[nodiscard]] std::optional<RunWorkbook> run_workbook(const RequestList& list,
                                                       const std::string& spelled);
 
-/// The inputs of a list of tests that were done, in their order: of a workbook with run sheets, its
-/// sheet `Done` and then these; else the list itself. @throws as open()
+/// The inputs of a list of tests that were done, in their order: of a workbook with run sheets or a
+/// question, its sheets of tests that were done and then these; else the list itself. @throws as open()
 [[nodiscard]] std::vector<std::unique_ptr<Input>> open_done(const RequestList& list,
                                                             const std::string& spelled);
 

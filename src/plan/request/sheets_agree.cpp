@@ -30,9 +30,19 @@ std::string name_of_list(const Input& input) {
   return sheet == nullptr ? input.name() : input.name() + ":" + sheet->sheet();
 }
 
-bool is_done_sheet(const Input& input) {
+// Whether a sheet is of earlier tests, by its name or its heads: they may have numbers of their own.
+bool is_of_earlier_tests(Input& input) {
   const SheetInput* const sheet = sheet_of(input);
-  return sheet != nullptr && lower_case(sheet->sheet()) == lower_case(done_sheet);
+  if (sheet == nullptr || lower_case(sheet->sheet()) == lower_case(done_sheet)) {
+    return sheet != nullptr;
+  }
+  try {
+    WorkbookSheet rows(input.rewind() ? read_to_end(input) : "", input.name(), sheet->sheet());
+    const auto head = head_row(rows);
+    return head && shape_of(head->heads) == SheetShape::done;
+  } catch (const BadInput&) {
+    return false;
+  }
 }
 
 std::string at(const Input& input, const DoneRow& row) {
@@ -93,9 +103,7 @@ class Agreement {
   [[nodiscard]] const DoneRow& row_of(const KnownTest& test) const {
     return lists_->at(test.list).rows[test.row];
   }
-  [[nodiscard]] const Input& input_of(const KnownTest& test) const {
-    return *inputs_->at(test.list);
-  }
+  [[nodiscard]] Input& input_of(const KnownTest& test) const { return *inputs_->at(test.list); }
 
   void compare(const KnownTest& before, const KnownTest& now) {
     const DoneRow& one = row_of(before);
@@ -113,15 +121,16 @@ class Agreement {
     }
   }
 
-  // A list of earlier tests may have numbers of its own; two run sheets may not.
+  // Two run sheets may not have the same numbers.
   void differ(const KnownTest& before, const KnownTest& now) {
     const DoneRow& one = row_of(before);
     const DoneRow& other = row_of(now);
     const std::string what =
         fmt::format("{}: step {} has other parts than in row {} of {}", at(input_of(now), other),
                     *other.step, one.line, name_of_list(input_of(before)));
-    if (!is_done_sheet(input_of(before))) {
-      throw BadInput(what + "; delete the sheet that is of another plan");
+    if (!is_of_earlier_tests(input_of(before)) && !is_of_earlier_tests(input_of(now))) {
+      throw BadInput(what +
+                     "; if both were done, delete the column step of one sheet, else its results");
     }
     if (!some_differ_) {
       notes_->push_back(what + "; both count, as two tests");

@@ -136,8 +136,8 @@ struct Written {
 Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
                    const JobRequest& question) {
   JobRequest before = question;
-  if (const auto done = book.tests_done()) {
-    before.done = book.on_sheet(*done);
+  if (const auto done = book.tests_done(); !done.empty()) {
+    before.done = book.on_sheet(done.front());
   }
   Written written{.before = checked_job(before, Door::document), .lists = {}};
   const Job& job = *written.before->job;
@@ -149,6 +149,16 @@ Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
             : read_done(*input, job.names, most_at_once(job, written.before->benches)));
   }
   return written;
+}
+
+// Results on sheets that are neither run sheets nor lists of tests.
+void note_unread_results(const RunWorkbook& book, std::vector<std::string>& notes) {
+  if (const std::vector<std::string> unread = book.unread_results(); !unread.empty()) {
+    notes.push_back(fmt::format(
+        "{}: the results on {} are not read; give such a sheet the heads slot_1, slot_2, … above "
+        "its parts",
+        book.name, joined(unread, shown)));
+  }
 }
 
 // A bench whose sheet was taken out of the workbook takes its results along.
@@ -427,10 +437,12 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
                               plain == JobRequest() ? "" : ", but for what is asked now"));
   request.parts = {};
   const std::vector<std::string> run = book.run_sheets(request.done.is_given() ? nullptr : &notes);
-  const auto done = book.tests_done();
-  const bool has_done = done.has_value();
+  const bool has_done = !book.tests_done().empty();
+  if (!request.done.is_given()) {
+    note_unread_results(book, notes);
+  }
   if (has_done && run.empty() && !request.done.is_given()) {
-    request.done = book.on_sheet(*done);
+    request.done = book.list;
   }
   if (!request.done.is_given() && run.empty()) {
     notes.push_back(book.name +
@@ -485,7 +497,7 @@ void note_skipped_sheets(const RunWorkbook& book, const SheetName* parts,
   std::vector<std::string> skipped;
   for (const SheetName& sheet : book.sheets) {
     const bool is_read_or_named = &sheet == parts || known_as(sheet) != nullptr ||
-                                  sheet.name == done ||
+                                  contains(done, sheet.name) ||
                                   std::ranges::find(run, sheet.name) != run.end();
     if (!sheet.hidden && !is_read_or_named) {
       skipped.push_back(sheet.name);

@@ -114,6 +114,12 @@ TEST_F(ChangedSheets, ARunSheetIsKnownWhateverItsTabIsCalled) {
   EXPECT_EQ(now.record.tests.back().result, "pass");
 }
 
+TEST_F(ChangedSheets, ARunSheetIsKnownWithoutItsFigures) {
+  const std::string renamed = with_tab(filled, "Run sheet", "Bench 3");
+  EXPECT_EQ(done_in(with_head(renamed, "new_pairs", "x")), 3U);
+  EXPECT_THAT(now.done.front().setup, sheet.steps[0].setup);
+}
+
 TEST_F(ChangedSheets, ResultsAreKnownWhateverTheirHeadIs) {
   for (const char* head :
        {"Ergebnis", "Result (pass/fail)", "RESULTS", "Testergebnis", "Resultado", "結果"}) {
@@ -128,7 +134,7 @@ TEST_F(ChangedSheets, ResultsAreKnownWhateverTheirHeadIs) {
 
 TEST_F(ChangedSheets, NothingIsPlannedAnewWithoutAWord) {
   // No sheet looks like a run sheet.
-  const std::string lost = with_head(filled, "new_pairs", "pairs");
+  const std::string lost = with_head(with_head(filled, "new_pairs", "pairs"), "step", "x");
   const OpenedRequest none =
       opened(with_tab(with_head(lost, "result", "?"), "Run sheet", "Bench 3"));
   EXPECT_FALSE(none.request.done.is_given());

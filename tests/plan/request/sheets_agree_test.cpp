@@ -64,7 +64,7 @@ TEST(SheetsAgree, OneStepWithOtherPartsIsOfAnotherPlan) {
       Sheets({{"Run sheet", ",1,A,B,pass\n"}, {"Other", ",1,A,C,pass\n"}}).fault(),
       AllOf(HasSubstr(
                 "b.xlsx:Other: row 2: step 1 has other parts than in row 2 of b.xlsx:Run sheet; "),
-            HasSubstr("delete the sheet that is of another plan")));
+            HasSubstr("delete the column step of one sheet")));
   // Earlier tests may have numbers of their own.
   EXPECT_THAT(Sheets({{"Done", ",1,A,B,pass\n"}, {"Run sheet", ",1,A,C,pass\n"}}).agree().notes,
               ElementsAre(HasSubstr("both count, as two tests")));

@@ -54,6 +54,13 @@ bool is_figure(std::string_view head) {
 
 bool is_new_here(std::string_view head) { return head == "new_pairs" || head == "new_triples"; }
 
+// What is written beside the set-ups of a plan, and not beside those of tests that were done.
+bool is_of_a_plan(std::string_view head) {
+  constexpr auto heads = std::to_array<std::string_view>(
+      {"take_out", "put_in", "set", "cost_so_far", "clock", "weight_so_far"});
+  return std::ranges::find(heads, head) != heads.end();
+}
+
 bool heads_a_setup(std::string_view head) {
   return head == "set_up" || head == "put_in" || head == "set" || place_in(head).has_value();
 }
@@ -189,7 +196,8 @@ std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
 SheetShape shape_of(const Heads& heads) {
   const bool has_figures = std::ranges::any_of(heads, is_new_here);
   const bool has_setups = std::ranges::any_of(heads, heads_a_setup);
-  if (has_setups && has_figures) {
+  const bool are_planned = step_column(heads) && std::ranges::any_of(heads, is_of_a_plan);
+  if (has_setups && (has_figures || are_planned)) {
     return SheetShape::steps;
   }
   return has_setups && first_column(heads, {}, heads_results) ? SheetShape::done

@@ -43,7 +43,7 @@ using Heads = std::vector<std::string>;
 /// What a table is, by its heads alone.
 enum class SheetShape {
   other,
-  steps,  ///< what is to be done: steps with their set-ups and figures
+  steps,  ///< what is to be done: steps with their set-ups, and figures or what is put in
   done    ///< tests with their set-ups and results, without figures
 };
 [[nodiscard]] SheetShape shape_of(const Heads& heads);
