@@ -110,6 +110,7 @@ struct SheetOfSteps {
   std::string name;
   std::set<std::vector<std::string>> tests;  // bench, step and set-up of each
   std::size_t results = 0;
+  bool is_numbered = false;
 };
 
 SheetOfSteps steps_on(const RunWorkbook& book, const std::string& name) {
@@ -119,6 +120,7 @@ SheetOfSteps steps_on(const RunWorkbook& book, const std::string& name) {
     const auto head = head_row(sheet);
     const auto result = head ? result_column(head->heads) : std::nullopt;
     const auto step = head ? step_column(head->heads) : std::nullopt;
+    steps.is_numbered = step.has_value();
     while (const auto row = head ? sheet.next() : std::nullopt) {
       std::vector<std::string> test;
       for (std::size_t c = 0; c < head->heads.size(); ++c) {
@@ -162,15 +164,16 @@ bool are_copies(const SheetOfSteps& one, const SheetOfSteps& other) {
   return shared > 0 && 2 * shared >= std::min(one.tests.size(), other.tests.size());
 }
 
-// Leaves out copies of sheets that have fewer results.
+// Leaves out copies of sheets that have fewer results. Steps with numbers are compared one by one.
 std::vector<std::string> without_copies(const RunWorkbook& book,
                                         const std::vector<std::string>& found,
                                         std::vector<std::string>* notes) {
   std::vector<SheetOfSteps> kept;
   for (const std::string& name : found) {
     SheetOfSteps next = steps_on(book, name);
-    const auto same = std::ranges::find_if(
-        kept, [&](const SheetOfSteps& each) { return are_copies(each, next); });
+    const auto same = std::ranges::find_if(kept, [&](const SheetOfSteps& each) {
+      return !(each.is_numbered && next.is_numbered) && are_copies(each, next);
+    });
     if (same == kept.end()) {
       kept.push_back(std::move(next));
       continue;

@@ -96,7 +96,9 @@ class Agreement {
       }
       known_.merge(here);
     }
-    drop_doubles();
+    join_copies();
+    note_doubles();
+    drop();
   }
 
  private:
@@ -138,8 +140,30 @@ class Agreement {
     some_differ_ = true;
   }
 
+  // A step without a result on one copy of a run sheet is that of the other copy.
+  void join_copies() {
+    std::map<Key, KnownTest> waiting;
+    for (std::size_t i = 0; i < lists_->size(); ++i) {
+      for (std::size_t k = 0; k < lists_->at(i).rows.size(); ++k) {
+        const DoneRow& row = lists_->at(i).rows[k];
+        if (!row.step || !row.result.empty()) {
+          continue;
+        }
+        const Key key{lower_case(row.bench), *row.step};
+        const auto known = known_.find(key);
+        const KnownTest other = known != known_.end()
+                                    ? known->second
+                                    : waiting.emplace(key, KnownTest{i, k}).first->second;
+        if (other.list != i && have_same_parts(row_of(other), row) &&
+            !is_of_earlier_tests(input_of(other)) && !is_of_earlier_tests(*inputs_->at(i))) {
+          joined_.push_back({i, k});
+        }
+      }
+    }
+  }
+
   // They count where they were planned, which is the later list.
-  void drop_doubles() {
+  void note_doubles() {
     if (doubles_.empty()) {
       return;
     }
@@ -147,12 +171,17 @@ class Agreement {
                                   name_of_list(input_of(doubles_.front())),
                                   count_of(doubles_.size(), "test is", "tests are"),
                                   doubles_.size() == 1 ? "it counts" : "they count"));
+  }
+
+  void drop() {
     std::vector<std::vector<bool>> dropped;
     for (const DoneList& list : *lists_) {
       dropped.emplace_back(list.rows.size(), false);
     }
-    for (const KnownTest& test : doubles_) {
-      dropped[test.list][test.row] = true;
+    for (const auto* tests : {&doubles_, &joined_}) {
+      for (const KnownTest& test : *tests) {
+        dropped[test.list][test.row] = true;
+      }
     }
     for (std::size_t i = 0; i < lists_->size(); ++i) {
       std::size_t next = 0;
@@ -166,6 +195,7 @@ class Agreement {
   std::vector<std::string>* notes_;
   std::map<Key, KnownTest> known_;
   std::vector<KnownTest> doubles_;
+  std::vector<KnownTest> joined_;  // without a result, and on another sheet, too
   bool some_differ_ = false;
 };
 

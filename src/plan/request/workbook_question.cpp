@@ -23,6 +23,7 @@
 #include "plan/job/parts/heading_words.hpp"
 #include "plan/request/asked_benches.hpp"
 #include "plan/request/run_workbook.hpp"
+#include "plan/request/sheets_agree.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
 #include "plan/sheet/sheet_document.hpp"
 
@@ -141,13 +142,16 @@ Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
   }
   Written written{.before = checked_job(before, Door::document), .lists = {}};
   const Job& job = *written.before->job;
+  std::vector<std::unique_ptr<Input>> inputs;
   for (const std::string& sheet : run) {
-    const auto input = book.open(sheet);
+    const auto& input = inputs.emplace_back(book.open(sheet));
     written.lists.push_back(
         job.model != nullptr
             ? read_done(*input, job)
             : read_done(*input, job.names, most_at_once(job, written.before->benches)));
   }
+  std::vector<std::string> said_later;
+  make_agree(inputs, written.lists, said_later);
   return written;
 }
 

@@ -70,6 +70,14 @@ TEST(SheetsAgree, OneStepWithOtherPartsIsOfAnotherPlan) {
               ElementsAre(HasSubstr("both count, as two tests")));
 }
 
+TEST(SheetsAgree, CopiesOfARunSheetAreOne) {
+  Sheets days(
+      {{"Day 1", ",1,A,B,pass\n,2,A,C,\n,3,A,D,\n"}, {"Day 2", ",1,A,B,\n,2,C,A,fail\n,3,A,D,\n"}});
+  EXPECT_THAT(days.agree().notes, IsEmpty());
+  EXPECT_THAT(days.lists[0].setups(), ElementsAre(Block{0, 1}, Block{0, 3}));
+  EXPECT_THAT(days.lists[1].setups(), ElementsAre(Block{2, 0}));
+}
+
 TEST(SheetsAgree, OnOtherBenchesWithoutResultsOrNumbersNothingIsTheSame) {
   for (const char* row :
        {"S,1,A,B,fail\n", "N,1,A,B,\n", "N,1,A,B,skipped\n", "N,,A,B,fail\n", "N,3,A,B,fail\n"}) {
