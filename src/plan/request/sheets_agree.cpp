@@ -30,7 +30,7 @@ std::string name_of_list(const Input& input) {
   return sheet == nullptr ? input.name() : input.name() + ":" + sheet->sheet();
 }
 
-// Whether a sheet is of earlier tests, by its name or its heads: they may have numbers of their own.
+// Whether a sheet is of earlier tests, by its name or heads: they may have numbers of their own.
 bool is_of_earlier_tests(Input& input) {
   const SheetInput* const sheet = sheet_of(input);
   if (sheet == nullptr || lower_case(sheet->sheet()) == lower_case(done_sheet)) {
