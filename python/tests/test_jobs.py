@@ -223,7 +223,7 @@ class Plans(unittest.TestCase):
             ):
                 self.plan(wrong, 3)
         with self.assertRaisesRegex(
-            TypeError, "^first has set-ups in an order, and a set has none"
+            TypeError, "^first must be a list of set-ups in an order, and a set has none"
         ):
             self.plan("a b c d".split(), 3, first={("a", "b", "c")})
         # A pair and a set-up have no order, and neither have pairs.
@@ -261,7 +261,7 @@ class Plans(unittest.TestCase):
     def test_true_is_no_number(self):
         with self.assertRaisesRegex(TypeError, "^parts must be a list of names, or their number"):
             self.plan(True, 2)
-        with self.assertRaisesRegex(TypeError, "^benches has names or dicts"):
+        with self.assertRaisesRegex(TypeError, "^benches must be a list of names or dicts"):
             self.plan(4, 2, benches=True)
         with self.assertRaisesRegex(TypeError, r"^plan\(\): at_once is a whole number"):
             self.plan(4, True)
@@ -357,9 +357,11 @@ class Plans(unittest.TestCase):
                 TypeError, f"^{name}" ": the index of the DataFrame would be lost; give reset_index"
             ):
                 plan(list("abcd"), **{name: frame({"x": ["b"], "y": ["c"]}, index=["a"])})
-        with self.assertRaisesRegex(TypeError, "^start has parts, not a DataFrame"):
+        with self.assertRaisesRegex(TypeError, "^start must be a list of parts, not a DataFrame"):
             plan(list("abcd"), start=table)
-        with self.assertRaisesRegex(TypeError, "^blocks has lists of elements, not a DataFrame"):
+        with self.assertRaisesRegex(
+            TypeError, "^blocks must be a list of lists of elements, not a DataFrame"
+        ):
             changeover.Design([table, table])
         with self.assertRaises(TypeError) as told:
             changeover.design(7, 3).blocks[table]

@@ -22,6 +22,7 @@ def check_loads(server, count):
         {"from_step": 3},
         {"fast_room": 3, "workers": 2, "epochs": 2},
         {"fast_room": 3, "prefetch": True},
+        {"workers": 2, "prefetch": True},
         {"write_back": True},
         {"workers": 3, "disjoint": True},
         {"workers": 3, "worker": 2},
