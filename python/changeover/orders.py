@@ -111,10 +111,8 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
         again = _facts(core, kind)
         # One that is verified beside the work is read at once when it is made again.
         if {**again, "certificate": ""} != {**facts, "certificate": ""}:
-            raise BadInput(
-                "another version of changeover pickled this load order, and made another "
-                "one; create it again"
-            )
+            raise BadInput("another version of changeover pickled this load order, and made "
+                           "another one; create it again")
         facts = again
     return made(kind, {**facts, "_asked": (asked, ends, text)}, core)
 
@@ -310,19 +308,19 @@ class WorkerLoads(_Loads):
 
     def steps(self, worker: int) -> Iterator[Step]:
         """The steps of one worker, from 0."""
-        if worker >= len(self):
-            raise IndexError(f"there is no worker {worker} of {len(self)}; they are numbered from "
-                             "0")
+        self._check_worker(worker)
         steps: Iterator[Step] = self._core.steps(worker)
         return steps
 
     def work(self, worker: int) -> Iterator[WorkStep]:
         """The same with the pairs that each step computes and the items that it stores, if
         requested."""
-        if worker >= len(self):
-            raise IndexError(f"there is no worker {worker} of {len(self)}; they are numbered from "
-                             "0")
+        self._check_worker(worker)
         return map(WorkStep._make, self._core.full_steps(worker))
+
+    def _check_worker(self, worker: int) -> None:
+        if worker >= len(self):
+            raise IndexError(f"there is no worker {worker} of {len(self)}; count from 0")
 
     def __len__(self) -> int:
         return len(self.worker_loads)
@@ -448,8 +446,7 @@ def _cost_rows(pair_cost: Any) -> List[List[str]]:
         *items, cost = list(listed("pair_cost", holds, row)) or [None]
         cost = attempt(float, cost)
         if len(items) != 2 or cost is None:
-            raise BadInput(f"pair_cost: row {number} is not two items and a number; give (item, "
-                           "item, cost)")
+            raise BadInput(f"pair_cost: row {number} is not (item, item, cost); correct it")
         made_rows.append([*(str(_item("pair_cost", item)) for item in items), repr(cost)])
     return made_rows
 

@@ -333,8 +333,7 @@ class Calls(unittest.TestCase):
             )
 
         share = r"^share is \(part, parts\), two numbers"
-        cost = "^pair_cost: row 0 is not two items and a number; "
-        cost += r"give \(item, item, cost\)$"
+        cost = r"^pair_cost: row 0 is not \(item, item, cost\); correct it$"
         ends = r"^table\(\): k is a whole number, a range or a pair \(first, last\), not "
         for call, words in (
             *(

@@ -25,8 +25,8 @@ namespace changeover {
 /// All of so many: "all 7 pairs", "the pair".
 [[nodiscard]] std::string all_of(std::uint64_t n, std::string_view one);
 
-/// One message for several defects, one at least: the first, and how many more there are, said before
-/// its remedy: "no room for both (and 2 more like this); keep fewer parts mounted".
+/// One message for several defects, one at least: the first, and how many more there are, said
+/// before its remedy: "no room for both (and 2 more like this); keep fewer parts mounted".
 [[nodiscard]] std::string leading_defect(const std::vector<std::string>& messages);
 
 /// The name for m changes: single-change, double-change, 3-change.

@@ -7,7 +7,8 @@ namespace {
 
 TEST(Words, SeveralMessagesAreOneLine) {
   EXPECT_EQ(leading_defect({"no file; name one"}), "no file; name one");
-  EXPECT_EQ(leading_defect({"no file; name one", "b", "c"}), "no file (and 2 more like this); name one");
+  EXPECT_EQ(leading_defect({"no file; name one", "b", "c"}),
+            "no file (and 2 more like this); name one");
   EXPECT_EQ(leading_defect({"no file", "no file"}), "no file (and 1 more like this)");
   // A name may have what sets the remedy off.
   EXPECT_EQ(leading_defect({"'a; b' is twice; leave one out", "c"}),

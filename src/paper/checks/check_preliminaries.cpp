@@ -110,11 +110,11 @@ PaperItem check_bound_from_2k_3(const PaperContext& context) {
       "exactly if v >= 2k-3, and then v-1 >= 2(k-1)-3 too. So go on until at most one element is "
       "in every block: there each pair is covered, and the paper's count gives b >= g2");
   check.note(
-      "the definition (Section 1): \"every pair, S, must occur in at least one block\", and a pair is "
-      "covered in a block that has it if the block before does not. In a circular list a pair of "
+      "the definition (Section 1): \"every pair, S, must occur in at least one block\", and a pair "
+      "is covered in a block that has it if the block before does not. In a circular list a pair of "
       "elements that are in every block occurs and is never covered. So the counterexamples below "
-      "are DCCDs as defined. If each pair had to be covered, they would not be, and the bound would "
-      "hold for every v. For v >= 2k-3 it holds in both readings");
+      "are DCCDs as defined. If each pair had to be covered, they would not be, and the bound "
+      "would hold for every v. For v >= 2k-3 it holds in both readings");
   check.note(fmt::format(
       "below, a design with fewer than ceil(g2) blocks is built for {} of the {} pairs (v,k) with "
       "k+2 <= v < 2k-3 and k <= {}. So what fails needs one more condition: v >= 2k-3 for Theorem "

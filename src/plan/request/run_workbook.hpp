@@ -71,7 +71,8 @@ struct HeadRow {
                                                       const std::string& spelled);
 
 /// The inputs of a list of tests that were done, in their order: of a workbook with run sheets or a
-/// question, its sheets of tests that were done and then these; else the list itself. @throws as open()
+/// question, its sheets of tests that were done and then these; else the list itself.
+/// @throws as open()
 [[nodiscard]] std::vector<std::unique_ptr<Input>> open_done(const RequestList& list,
                                                             const std::string& spelled);
 

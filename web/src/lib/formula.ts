@@ -1,48 +1,11 @@
 // Mathematics as the program and docs/theorems.md write it (`2*n_j >= 3k`, `B_{i+1}`, `⌈(v−k)/2⌉`),
 // found in plain text and turned into TeX. What is not surely mathematics stays text.
 
+import { greek, symbols } from './signs';
+
 /** `breaks`: a line may end behind it. */
 export type Piece = { text: string } | { tex: string; text: string; breaks?: boolean };
 
-const symbols: Record<string, string> = {
-  '≤': '\\le ',
-  '≥': '\\ge ',
-  '<=': '\\le ',
-  '>=': '\\ge ',
-  '<': '<',
-  '>': '>',
-  '=': '=',
-  '≠': '\\ne ',
-  '≡': '\\equiv ',
-  '+': '+',
-  '−': '-',
-  '-': '-',
-  '±': '\\pm ',
-  '·': '\\cdot ',
-  '*': '\\cdot ',
-  '/': '/',
-  '…': '\\dots ',
-  '...': '\\dots ',
-  '∖': '\\setminus ',
-  '∪': '\\cup ',
-  '∩': '\\cap ',
-  '⊂': '\\subset ',
-  '∈': '\\in ',
-  ',': ',',
-  ':': ':',
-  '⌈': '\\lceil ',
-  '⌉': '\\rceil ',
-  '⌊': '\\lfloor ',
-  '⌋': '\\rfloor ',
-  '(': '(',
-  ')': ')',
-  '[': '[',
-  ']': ']',
-  '{': '\\{',
-  '}': '\\}',
-  '|': '|',
-  '∎': '\\blacksquare ',
-};
 const operators = new Set([
   '≤',
   '≥',
@@ -94,21 +57,6 @@ function isProduct(pair: string, before: string, behind: string): boolean {
     (!/[aeiouy]/.test(pair) && !shorts.has(pair) && !/[./]$/.test(before) && !/^\.\w/.test(behind))
   );
 }
-
-const greek: Record<string, string> = {
-  ℓ: '\\ell ',
-  τ: '\\tau ',
-  σ: '\\sigma ',
-  π: '\\pi ',
-  ρ: '\\rho ',
-  α: '\\alpha ',
-  β: '\\beta ',
-  Σ: '\\sum ',
-  φ: '\\varphi ',
-  λ: '\\lambda ',
-  μ: '\\mu ',
-  ε: '\\varepsilon ',
-};
 
 interface Token {
   kind: 'number' | 'variable' | 'function' | 'design' | 'operator' | 'open' | 'close' | 'comma';
