@@ -157,7 +157,7 @@ class Orders(unittest.TestCase):
         for wrong, says in (
             ({(0, 1): -1}, "0 or more"),
             ({(0, 99): 1}, "99"),
-            ([(0, 1)], "not two items"),
+            ([(0, 1)], "is not .item, item, cost.; correct it"),
             ({(0, "x"): 1}, ""),
         ):
             with self.assertRaisesRegex((changeover.BadInput, TypeError), says):
