@@ -251,12 +251,12 @@ struct LeastChangeOrder {
 //     longer.design;  longer.why_stopped;
 //
 // *Repair* takes any list of blocks of the right shape. If one change does (two blocks exchanged, a
-// block elsewhere, one element, a block less), that is the answer. Else first its steps: a block that
-// fits neither of its neighbours is replaced by the one nearest to it that fits both, a repeated
-// block goes, and across any other wrong step the shortest way is inserted
+// block elsewhere, one element, a block less), that is the answer. Else first its steps: a block
+// that fits neither of its neighbours is replaced by the one nearest to it that fits both, a
+// repeated block goes, and across any other wrong step the shortest way is inserted
 // (construct/tools/path.hpp). Then what is uncovered: the list is annealed, briefly first, as every
-// move changes blocks, and longer only if that does not do; if nothing does, blocks are added at the
-// end.
+// move changes blocks, and longer only if that does not do; if nothing does, blocks are added at
+// the end.
 //
 // *Extend* keeps the given blocks as the first ones, in their order, and appends as few as it can
 // until everything is covered: it anneals what follows the given blocks, with ever fewer blocks.
