@@ -48,11 +48,11 @@ function comment(_, indent, text) {
 }
 const made = written.replace(/^( *)\/\*\*\n *\* (.*)\n *\*\//gm, comment);
 
-/** "Bean, Richard and Chafee, A. L." as "R. Bean and A. L. Chafee" */
-function authors(field) {
+/** "Bean, Richard and Chafee, A. L." as "R. Bean and A. L. Chafee", or "Bean and Chafee" */
+function authors(field, initialled = true) {
   const names = field.split(/\s+and\s+/).map((name) => {
     const [last, first] = name.split(/,\s*/);
-    const initials = (first ?? '')
+    const initials = ((initialled && first) || '')
       .split(/\s+/)
       .filter(Boolean)
       .map((each) => `${each.replace(/\./g, '')[0]}.`);
@@ -66,11 +66,13 @@ function authors(field) {
       : names[0];
 }
 
+const marks = { "'": 0x301, '`': 0x300, '"': 0x308, '~': 0x303, '^': 0x302, c: 0x327, v: 0x30c };
+const accented = (_, mark, letter) => (letter + String.fromCodePoint(marks[mark])).normalize('NFC');
 const plain = (text) =>
   text
     .replace(/\s+/g, ' ')
-    .replace(/\{\\['"`~^c]\s?\{?(\w)\}?\}/g, '$1')
-    .replace(/\\['"`~^]\{?(\w)\}?/g, '$1')
+    .replace(/\{\\(['"`~^cv])\s?\{?(\w)\}?\}/g, accented)
+    .replace(/\\(['"`~^])\{?(\w)\}?/g, accented)
     .replace(/[{}\\]/g, '')
     .replace(/--/g, '–')
     .trim();
@@ -80,9 +82,10 @@ for (const [, key, body] of (await readFile(join(here, '../docs/references.bib')
   /^@\w+\{([^,]+),\n(.*?)^\}/gms,
 )) {
   const field = (name) => {
-    const found = new RegExp(`^\\s*${name}\\s*=\\s*\\{((?:[^{}]|\\{[^{}]*\\})*)\\}`, 'm').exec(
-      body,
-    )?.[1];
+    const found = new RegExp(
+      `^\\s*${name}\\s*=\\s*\\{((?:[^{}]|\\{(?:[^{}]|\\{[^{}]*\\})*\\})*)\\}`,
+      'm',
+    ).exec(body)?.[1];
     return found === undefined ? null : found;
   };
   const [author, title, year, doi, eprint, url] = [
@@ -95,6 +98,12 @@ for (const [, key, body] of (await readFile(join(here, '../docs/references.bib')
   ].map(field);
   const where = field('journal') ?? field('booktitle');
   references[key] = {
+    name: [
+      author ? plain(authors(author, false)) : key,
+      author && (year ?? /\d{4}$/.exec(key)?.[0]),
+    ]
+      .filter(Boolean)
+      .join(' '),
     text: [author && plain(authors(author)), title && plain(title), where && plain(where), year]
       .filter(Boolean)
       .join('. ')

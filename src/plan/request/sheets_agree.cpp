@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -77,7 +78,7 @@ class Agreement {
  public:
   Agreement(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<DoneList>& lists,
             std::vector<std::string>& notes)
-      : inputs_(&inputs), lists_(&lists), notes_(&notes) {}
+      : inputs_(&inputs), lists_(&lists), notes_(&notes), earlier_(inputs.size()) {}
 
   void make() {
     for (std::size_t i = 0; i < lists_->size(); ++i) {
@@ -106,6 +107,13 @@ class Agreement {
     return lists_->at(test.list).rows[test.row];
   }
   [[nodiscard]] Input& input_of(const KnownTest& test) const { return *inputs_->at(test.list); }
+  // Read once: sheets are long.
+  [[nodiscard]] bool is_of_earlier_tests(std::size_t list) {
+    if (!earlier_[list]) {
+      earlier_[list] = changeover::is_of_earlier_tests(*inputs_->at(list));
+    }
+    return *earlier_[list];
+  }
 
   void compare(const KnownTest& before, const KnownTest& now) {
     const DoneRow& one = row_of(before);
@@ -130,7 +138,7 @@ class Agreement {
     const std::string what =
         fmt::format("{}: step {} has other parts than in row {} of {}", at(input_of(now), other),
                     *other.step, one.line, name_of_list(input_of(before)));
-    if (!is_of_earlier_tests(input_of(before)) && !is_of_earlier_tests(input_of(now))) {
+    if (!is_of_earlier_tests(before.list) && !is_of_earlier_tests(now.list)) {
       throw BadInput(what +
                      "; if both were done, delete the column step of one sheet, else its results");
     }
@@ -155,7 +163,7 @@ class Agreement {
                                     ? known->second
                                     : waiting.emplace(key, KnownTest{i, k}).first->second;
         if (other.list != i && have_same_parts(row_of(other), row) &&
-            !is_of_earlier_tests(input_of(other)) && !is_of_earlier_tests(*inputs_->at(i))) {
+            !is_of_earlier_tests(other.list) && !is_of_earlier_tests(i)) {
           joined_.push_back({i, k});
         }
       }
@@ -193,6 +201,7 @@ class Agreement {
   const std::vector<std::unique_ptr<Input>>* inputs_;
   std::vector<DoneList>* lists_;
   std::vector<std::string>* notes_;
+  std::vector<std::optional<bool>> earlier_;  // by list, once it was asked
   std::map<Key, KnownTest> known_;
   std::vector<KnownTest> doubles_;
   std::vector<KnownTest> joined_;  // without a result, and on another sheet, too

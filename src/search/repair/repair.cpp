@@ -160,7 +160,7 @@ class Repair {
       return;
     }
     if (list_.block_count() > 1) {
-      if (auto design = repaired_by_one_change(list_)) {
+      if (auto design = repaired_by_one_change(list_, before)) {
         keep(*std::move(design));
         return;
       }

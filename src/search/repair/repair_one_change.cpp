@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "changeover/run/control.hpp"
-#include "changeover/verify/verdict.hpp"
 #include "core/contains.hpp"
 #include "search/repair/repair_cover.hpp"
 
@@ -17,15 +16,14 @@ constexpr std::uint64_t most_blocks = 2000;
 
 class OneChange {
  public:
-  explicit OneChange(const Design& list) : p_(list.parameters()) {
+  OneChange(const Design& list, const Verdict& verdict)
+      : p_(list.parameters()), wrong_(verdict.bad_steps) {
     for (std::size_t i = 0; i < list.block_count(); ++i) {
       blocks_.push_back(block_of(list, i));
     }
-    const Verdict verdict = verify(list);
     if (!verdict.uncovered_examples.empty()) {
       lacking_ = verdict.uncovered_examples.front();
     }
-    wrong_ = verdict.bad_steps;
     for (std::size_t i = 0; i < steps() && wrong_ > 0; ++i) {
       if (!fit(blocks_[i], blocks_[next(i)])) {
         first_ = i;
@@ -181,8 +179,8 @@ class OneChange {
 
 }  // namespace
 
-std::optional<Design> repaired_by_one_change(const Design& list) {
-  return list.block_count() > most_blocks ? std::nullopt : OneChange(list).found();
+std::optional<Design> repaired_by_one_change(const Design& list, const Verdict& verdict) {
+  return list.block_count() > most_blocks ? std::nullopt : OneChange(list, verdict).found();
 }
 
 }  // namespace changeover

@@ -4,19 +4,14 @@ import references from '../../references.json';
 import { h, type Child } from './dom';
 import { mathText } from './mathematics';
 
-const works: Readonly<Record<string, { text: string; url: string | null }>> = references;
+const works: Readonly<Record<string, { name: string; text: string; url: string | null }>> =
+  references;
 
 export const cited: readonly (readonly [key: string, text: string, url: string | null])[] =
   Object.entries(works).map(([key, { text, url }]) => [key, text, url]);
 
-/** A key as people write it: "Bean 2026", "Chafee and Stevens 2025". */
-export function spoken(key: string): string {
-  const [, names = key, year = ''] = /^(\D+)(\d{4}\w?)$/.exec(key) ?? [];
-  const each = names.replace(/EtAl$/, '').split(/(?<=[a-z])(?<!Mc)(?=[A-Z])/);
-  const all =
-    each.length > 1 ? `${each.slice(0, -1).join(', ')} and ${each.at(-1)!}` : each.join('');
-  return `${all}${names.endsWith('EtAl') ? ' et al.' : ''}${year && ` ${year}`}`;
-}
+/** A work as people name it: "Bean 2026", "Chafee and Stevens 2025". */
+export const spoken = (key: string): string => works[key]?.name ?? key;
 
 /**
  * A work, linked to where it can be read, or to the list of references. `place` follows its name:

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
-#include <string_view>
 
 #include "core/contains.hpp"
 #include "core/printable.hpp"
@@ -21,14 +19,6 @@ bool heads_remarks(const std::string& head) {
   return std::ranges::any_of(words, heads_reasons);
 }
 
-// What the program writes into a run sheet beside the set-up.
-bool is_ours(const std::string& head) {
-  constexpr auto ours = std::to_array<std::string_view>(
-      {"take_out", "put_in", "set", "set_up", "new_pairs", "new_triples", "cost", "cost_so_far",
-       "clock", "weight_so_far", "day", "date", "from_hour", "to_hour"});
-  return std::ranges::find(ours, lower_case(head)) != ours.end();
-}
-
 }  // namespace
 
 void OtherResults::find(const Row& header, const SetupColumns& columns) {
@@ -37,7 +27,8 @@ void OtherResults::find(const Row& header, const SetupColumns& columns) {
            i == columns.list || contains(columns.slots, i);
   };
   for (std::size_t i = 0; i < header.size(); ++i) {
-    if (is_taken(i) || heads_remarks(header[i].text) || is_ours(header[i].text)) {
+    if (is_taken(i) || heads_remarks(header[i].text) ||
+        own_head(lower_case(header[i].text)) != nullptr) {
       continue;
     }
     (columns.result && heads_results(header[i].text) ? columns_ : unread_).push_back(i);

@@ -45,20 +45,12 @@ std::optional<std::size_t> first_column(const Heads& heads, const std::vector<bo
   return std::nullopt;
 }
 
-// What is written before the column of results, and in no other list.
-bool is_figure(std::string_view head) {
-  constexpr auto figures = std::to_array<std::string_view>(
-      {"new_pairs", "new_triples", "cost", "cost_so_far", "clock", "weight_so_far"});
-  return std::ranges::find(figures, head) != figures.end();
-}
-
-bool is_new_here(std::string_view head) { return head == "new_pairs" || head == "new_triples"; }
-
-// What is written beside the set-ups of a plan, and not beside those of tests that were done.
-bool is_of_a_plan(std::string_view head) {
-  constexpr auto heads = std::to_array<std::string_view>(
-      {"take_out", "put_in", "set", "cost_so_far", "clock", "weight_so_far"});
-  return std::ranges::find(heads, head) != heads.end();
+// Whether a head is one of ours that is so.
+auto is_own(bool OwnHead::*so) {
+  return [so](std::string_view head) {
+    const OwnHead* const own = own_head(head);
+    return own != nullptr && own->*so;
+  };
 }
 
 bool heads_a_setup(std::string_view head) {
@@ -68,11 +60,12 @@ bool heads_a_setup(std::string_view head) {
 // The column that follows the figures, if there is one of them that no list but a run sheet has.
 std::optional<std::size_t> column_after_figures(const Heads& heads,
                                                 const std::vector<bool>& taken) {
-  const auto last = std::ranges::find_if(heads.rbegin(), heads.rend(), is_figure);
+  const auto last = std::ranges::find_if(heads.rbegin(), heads.rend(), is_own(&OwnHead::is_figure));
   const auto column = static_cast<std::size_t>(heads.rend() - last);
   const bool is_free = column < heads.size() && lower_case(heads[column]) != "notes" &&
                        (column >= taken.size() || !taken[column]);
-  return is_free && std::ranges::any_of(heads, is_new_here) ? std::optional(column) : std::nullopt;
+  return is_free && std::ranges::any_of(heads, is_own(&OwnHead::counts_new)) ? std::optional(column)
+                                                                             : std::nullopt;
 }
 
 // The parameter of a column, with the heading that sheets give it: "slot_3 cost" if another column
@@ -193,10 +186,32 @@ std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
   return places;
 }
 
+const OwnHead* own_head(std::string_view head) {
+  static constexpr auto heads = std::to_array<OwnHead>({
+      {.head = "take_out", .is_planned = true},
+      {.head = "put_in", .is_planned = true},
+      {.head = "set", .is_planned = true},
+      {.head = "set_up"},
+      {.head = "new_pairs", .is_figure = true, .counts_new = true},
+      {.head = "new_triples", .is_figure = true, .counts_new = true},
+      {.head = "cost", .is_figure = true},
+      {.head = "cost_so_far", .is_figure = true, .is_planned = true},
+      {.head = "clock", .is_figure = true, .is_planned = true},
+      {.head = "weight_so_far", .is_figure = true, .is_planned = true},
+      {.head = "day"},
+      {.head = "date"},
+      {.head = "from_hour"},
+      {.head = "to_hour"},
+  });
+  const auto found = std::ranges::find(heads, head, &OwnHead::head);
+  return found == heads.end() ? nullptr : &*found;
+}
+
 SheetShape shape_of(const Heads& heads) {
-  const bool has_figures = std::ranges::any_of(heads, is_new_here);
+  const bool has_figures = std::ranges::any_of(heads, is_own(&OwnHead::counts_new));
   const bool has_setups = std::ranges::any_of(heads, heads_a_setup);
-  const bool are_planned = step_column(heads) && std::ranges::any_of(heads, is_of_a_plan);
+  const bool are_planned =
+      step_column(heads) && std::ranges::any_of(heads, is_own(&OwnHead::is_planned));
   if (has_setups && (has_figures || are_planned)) {
     return SheetShape::steps;
   }
@@ -216,7 +231,7 @@ std::optional<std::size_t> step_column(const Heads& heads, const std::vector<boo
       heads, taken, [](const std::string& head) { return lower_case(head) == "step"; });
   const auto meant = ours ? ours : first_column(heads, taken, heads_steps);
   // "Nr" beside the figures of steps, which no list but a run sheet has.
-  return meant || std::ranges::none_of(heads, is_new_here)
+  return meant || std::ranges::none_of(heads, is_own(&OwnHead::counts_new))
              ? meant
              : first_column(heads, taken, heads_row_numbers);
 }

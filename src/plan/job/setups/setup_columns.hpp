@@ -40,6 +40,17 @@ struct SetupColumns {
 /// The heads of a table, by column; "" for a column without a head.
 using Heads = std::vector<std::string>;
 
+/// A head that the program writes on run sheets beside the places of parts, the step, the result,
+/// the notes and the bench.
+struct OwnHead {
+  std::string_view head;
+  bool is_figure = false;   ///< stands before the column of results
+  bool counts_new = false;  ///< how many pairs or triples are new: no list but a run sheet has it
+  bool is_planned = false;  ///< stands beside set-ups of a plan, not beside those that were done
+};
+/// That of these words, letter by letter; null for other heads.
+[[nodiscard]] const OwnHead* own_head(std::string_view head);
+
 /// What a table is, by its heads alone.
 enum class SheetShape {
   other,

@@ -29,11 +29,6 @@ std::optional<double> step_said(const std::string& text) {
   return failure == std::errc() && is_number ? std::optional(number) : std::nullopt;
 }
 
-// What only a run sheet has.
-bool heads_new_pairs(const Field& field) {
-  return field.text == "new_pairs" || field.text == "new_triples";
-}
-
 }  // namespace
 
 std::optional<std::uint64_t> StepNumbers::take(const Row& row, const SetupColumns& columns,
@@ -69,7 +64,10 @@ void StepNumbers::put_in_order(DoneList& list, const Row& header, const SetupCol
           "{}: the column {} is not read; the tests are taken in the order of the rows; call it "
           "step if it numbers them",
           reader.place(*number), shown(number->text)));
-    } else if (std::ranges::any_of(header, heads_new_pairs)) {
+    } else if (std::ranges::any_of(header, [](const Field& field) {
+                 const OwnHead* const own = own_head(field.text);
+                 return own != nullptr && own->counts_new;
+               })) {
       list.notes.push_back(fmt::format(
           "{}: the sheet has no column step, so the tests are taken in the order of the rows",
           reader.place(header.front())));
