@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "changeover/run/control.hpp"
-#include "core/contains.hpp"
 #include "search/repair/repair_cover.hpp"
+#include "search/repair/repair_other_block.hpp"
 
 namespace changeover {
 namespace {
@@ -17,12 +17,12 @@ constexpr std::uint64_t most_blocks = 2000;
 class OneChange {
  public:
   OneChange(const Design& list, const Verdict& verdict)
-      : p_(list.parameters()), wrong_(verdict.bad_steps) {
+      : list_(list),
+        p_(list.parameters()),
+        covers_(verdict.uncovered == 0),
+        wrong_(verdict.bad_steps) {
     for (std::size_t i = 0; i < list.block_count(); ++i) {
       blocks_.push_back(block_of(list, i));
-    }
-    if (!verdict.uncovered_examples.empty()) {
-      lacking_ = verdict.uncovered_examples.front();
     }
     for (std::size_t i = 0; i < steps() && wrong_ > 0; ++i) {
       if (!fit(blocks_[i], blocks_[next(i)])) {
@@ -36,8 +36,8 @@ class OneChange {
     if (auto order = another_order()) {
       return order;
     }
-    if (auto element = another_element()) {
-      return element;
+    if (auto block = with_another_block(list_); block && verify(*block).valid()) {
+      return block;
     }
     return one_less();
   }
@@ -82,7 +82,7 @@ class OneChange {
   // The same blocks, two of them exchanged or one elsewhere. Either touches the first wrong step.
   std::optional<Design> another_order() {
     constexpr std::uint64_t most_steps_of_two_blocks = 4;
-    if (!lacking_.empty() || wrong_ == 0 || wrong_ > most_steps_of_two_blocks) {
+    if (!covers_ || wrong_ == 0 || wrong_ > most_steps_of_two_blocks) {
       return std::nullopt;
     }
     const std::size_t here[] = {first_, next(first_)};
@@ -119,45 +119,8 @@ class OneChange {
               : std::rotate(at(to), at(from), at(from) + 1);
   }
 
-  std::optional<Design> another_element() {
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      if (wrong_at(i) < wrong_) {
-        continue;  // another step is wrong
-      }
-      const Block given = blocks_[i];
-      for (const Element x : wanted_in(given)) {
-        for (Element& place : blocks_[i]) {
-          stop_if_asked();
-          const Element old = std::exchange(place, x);
-          if (wrong_at(i) == 0) {
-            if (auto design = design_of(blocks_)) {
-              return design;
-            }
-          }
-          place = old;
-        }
-      }
-    }
-    return std::nullopt;
-  }
-
-  // The elements that may come into a block: what is covered nowhere must be in it then.
-  [[nodiscard]] Block wanted_in(const Block& block) const {
-    if (!lacking_.empty()) {
-      Block missing = difference(lacking_, block);
-      return missing.size() == 1 ? missing : Block();
-    }
-    Block others;
-    for (Element x = 0; x < p_.v; ++x) {
-      if (!contains(block, x)) {
-        others.push_back(x);
-      }
-    }
-    return others;
-  }
-
   std::optional<Design> one_less() const {
-    for (std::size_t i = 0; lacking_.empty() && i < blocks_.size(); ++i) {
+    for (std::size_t i = 0; covers_ && i < blocks_.size(); ++i) {
       stop_if_asked();
       if (wrong_at(i) == wrong_) {
         Blocks blocks = blocks_;
@@ -170,9 +133,10 @@ class OneChange {
     return std::nullopt;
   }
 
+  const Design& list_;
   Parameters p_;
   Blocks blocks_;
-  Block lacking_;            // a subset that is in no block; empty if there is none
+  bool covers_;              // each subset is in some block
   std::uint64_t wrong_ = 0;  // steps
   std::size_t first_ = 0;    // of them, if there are any
 };

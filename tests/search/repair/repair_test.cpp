@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <optional>
 #include <vector>
 
 #include "changeover/construct/best_known.hpp"
@@ -12,6 +14,7 @@
 #include "naive_verdict.hpp"
 #include "run/random.hpp"
 #include "search/local/random_list.hpp"
+#include "search/repair/repair_other_block.hpp"
 
 namespace changeover::repair_test {
 namespace {
@@ -99,6 +102,89 @@ TEST(Repair, OneSlipCostsOneBlockAtMost) {
     }
   }
   EXPECT_GT(slips, 100U);
+}
+
+// All blocks of k of v elements, by counting in binary.
+std::vector<Block> all_blocks(std::uint64_t v, std::uint64_t k) {
+  std::vector<Block> blocks;
+  for (std::uint32_t set = 0; set < 1U << v; ++set) {
+    if (static_cast<std::uint64_t>(std::popcount(set)) == k) {
+      Block block;
+      for (Element x = 0; x < v; ++x) {
+        if ((set >> x & 1U) != 0) {
+          block.push_back(x);
+        }
+      }
+      blocks.push_back(block);
+    }
+  }
+  return blocks;
+}
+
+std::size_t in_common(const Block& one, const Block& other) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(one, [&](Element x) { return std::ranges::count(other, x) > 0; }));
+}
+
+// Every block in every place is tried: what is found keeps the most elements, and nothing is found
+// only where no block fits.
+TEST(Repair, AnotherBlockIsTheBestOfAll) {
+  Random random(7);
+  std::size_t found = 0;
+  std::size_t none = 0;
+  for (const Parameters& p : std::vector<Parameters>{
+           {.v = 7, .k = 3, .change = 1, .kind = Kind::linear},
+           {.v = 7, .k = 4, .change = 2, .kind = Kind::linear},
+           {.v = 7, .k = 4, .change = 2, .kind = Kind::circular},
+           {.v = 8, .k = 4, .change = 1, .kind = Kind::circular},
+           {.v = 8, .k = 5, .change = 3, .kind = Kind::linear},
+           {.v = 6, .k = 4, .change = 1, .kind = Kind::circular, .strength = 3}}) {
+    const std::vector<Block> all = all_blocks(p.v, p.k);
+    for (int run = 0; run < 30; ++run) {
+      std::vector<Block> blocks = known(p).blocks();
+      const auto b = static_cast<std::uint32_t>(blocks.size());
+      for (int times = 0; times <= run % 3; ++times) {
+        const std::size_t at = run % 5 == 0 ? (run % 2 == 0 ? 0 : b - 1) : random.below(b);
+        blocks[at] = all[random.below(static_cast<std::uint32_t>(all.size()))];
+      }
+      std::optional<std::size_t> most;
+      for (std::size_t i = 0; i < b; ++i) {
+        for (const Block& block : all) {
+          std::vector<Block> other = blocks;
+          other[i] = block;
+          if (test::naive_verdict(Design(p, other)).valid) {
+            most = std::max(most.value_or(0), in_common(block, blocks[i]));
+          }
+        }
+      }
+      const auto design = with_another_block(Design(p, blocks));
+      ASSERT_EQ(design.has_value(), most.has_value()) << name(p);
+      (design ? found : none)++;
+      if (design) {
+        ASSERT_TRUE(test::naive_verdict(*design).valid) << name(p);
+        std::size_t kept = p.k;
+        for (std::size_t i = 0; i < b; ++i) {
+          kept = std::min(kept, in_common(design->blocks()[i], blocks[i]));
+        }
+        EXPECT_EQ(kept, *most) << name(p);
+      }
+    }
+  }
+  EXPECT_GT(found, 50U);
+  EXPECT_GT(none, 20U);
+}
+
+// A whole block that is wrong costs this block only.
+TEST(Repair, AWrongBlockCostsOneBlock) {
+  const Design design = known({.v = 20, .k = 5, .change = 1, .kind = Kind::linear});
+  for (std::size_t i = 0; i < design.block_count(); i += 5) {
+    std::vector<Block> blocks = design.blocks();
+    blocks[i] = {0, 4, 8, 12, 16};
+    const RepairResult result = mend(Design(design.parameters(), blocks));
+    EXPECT_TRUE(test::naive_verdict(*result.design).valid);
+    EXPECT_EQ(result.design->block_count(), blocks.size());
+    EXPECT_GE(result.kept + 1, blocks.size());
+  }
 }
 
 TEST(Repair, ConnectsWhatIsFarApart) {
