@@ -233,10 +233,11 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
   if (const auto searched = excluded_below(p)) {
     bounds.push_back(
         {*searched, "checked proofs",
-         fmt::format("fewer than {} are excluded by SAT with checked DRAT proofs, written anew "
-                     "by: changeover search {} {} --change {} --{}{} --exact --proof DIR",
-                     count_of(*searched, "block"), p.v, p.k, p.change, to_string(p.kind),
-                     p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength))});
+         fmt::format(
+             "fewer than {} are excluded by SAT with checked DRAT proofs, which this "
+             "command writes: changeover search {} {} --change {} --{}{} --exact --proof DIR",
+             count_of(*searched, "block"), p.v, p.k, p.change, to_string(p.kind),
+             p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength))});
   }
   std::ranges::stable_sort(bounds, std::ranges::greater(), &Bound::blocks);
   return bounds;

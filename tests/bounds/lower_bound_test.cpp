@@ -306,15 +306,13 @@ TEST(LowerBound, WritesEachReasonWithItsNumbers) {
       reason_named(circular(10, 3, 3), "degree program"),
       "no whole numbers i_x, r_x have the sums of 16 or fewer blocks and i_x(k-1) + m(r_x-i_x) >= "
       "v-1 = 9 for every x and the stays of Theorem 5: b >= 17");
-  EXPECT_EQ(
-      reason_named({.v = 9, .k = 5, .change = 1, .kind = Kind::circular, .strength = 3},
-                   "checked proofs"),
-      "fewer than 15 blocks are excluded by SAT with checked DRAT proofs, written anew by: changeover "
-      "search 9 5 --change 1 --circular --strength 3 --exact --proof DIR");
-  EXPECT_EQ(
-      reason_named({.v = 12, .k = 4}, "checked proofs"),
-      "fewer than 14 blocks are excluded by SAT with checked DRAT proofs, written anew by: changeover "
-      "search 12 4 --change 2 --linear --exact --proof DIR");
+  EXPECT_EQ(reason_named({.v = 9, .k = 5, .change = 1, .kind = Kind::circular, .strength = 3},
+                         "checked proofs"),
+            "fewer than 15 blocks are excluded by SAT with checked DRAT proofs, which this command "
+            "writes: changeover search 9 5 --change 1 --circular --strength 3 --exact --proof DIR");
+  EXPECT_EQ(reason_named({.v = 12, .k = 4}, "checked proofs"),
+            "fewer than 14 blocks are excluded by SAT with checked DRAT proofs, which this command "
+            "writes: changeover search 12 4 --change 2 --linear --exact --proof DIR");
   EXPECT_EQ(reason_named(circular(14, 5, 1), "all lists"),
             "with 23 blocks each element has one or two stays; a search through all such lists "
             "finds none (docs/theorems.md, Theorem 29): b >= 24");

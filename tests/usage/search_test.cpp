@@ -54,6 +54,25 @@ TEST(Search, WhatItFindsCanBeStoredAndVerified) {
          folder);
 }
 
+// The recipe's provenance names all options that decide what was looked for, and is accepted again.
+TEST(Search, ProvenanceCanBeTypedAgain) {
+  const TemporaryFolder folder;
+  for (const std::string typed :
+       {"16 4 --change 2 --circular --base-blocks --tight --cycle 3",
+        "20 4 --change 2 --circular --blocks 39 --base-blocks --cycle 3 --fixed-points 2",
+        "9 4 --change 1 --linear --first 0,1,2,3"}) {
+    const std::string rest = " --time 20s --quiet --json";
+    const Outcome first = run("$changeover search " + typed + rest, folder.path());
+    EXPECT_EQ(first.code, 10) << typed << first.err;
+    const std::string before = "\"provenance\":\"changeover ";
+    const std::size_t at = first.out.find("search", first.out.find(before));
+    ASSERT_NE(at, std::string::npos) << typed;
+    const std::string again = first.out.substr(at, first.out.find('"', at) - at);
+    EXPECT_TRUE(again.starts_with("search " + typed)) << again;
+    EXPECT_EQ(run("$changeover " + again + " --quiet --json", folder.path()).code, 10) << again;
+  }
+}
+
 TEST(Search, WithLockedCellsSaysWhatCannotBe) {
   const TemporaryFolder folder;
   const std::string search = "$changeover search --linear -m 1 --quiet ";

@@ -1,6 +1,7 @@
 #include "request/run_request.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -123,12 +124,18 @@ void RunRequest::add_limits_to(Verb& verb, const std::string& limit, OutputReque
   verb.flag("--quiet", quiet, "no progress on stderr");
 }
 
-std::string RunRequest::command() const {
-  std::string text = fmt::format("--seed {}", seed.value_or(1));
-  if (threads) {
-    text += fmt::format(" --threads {}", *threads);
+std::string RunRequest::command(bool seeded) const {
+  std::vector<std::string> options;
+  if (seeded) {
+    options.push_back(fmt::format("--seed {}", seed.value_or(1)));
   }
-  return time.empty() ? text : text + " --time " + time;
+  if (threads) {
+    options.push_back(fmt::format("--threads {}", *threads));
+  }
+  if (!time.empty()) {
+    options.push_back("--time " + time);
+  }
+  return fmt::format("{}", fmt::join(options, " "));
 }
 
 RunControl::Settings RunRequest::settings() const {

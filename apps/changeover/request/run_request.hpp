@@ -46,8 +46,9 @@ struct RunRequest {
   void add_limits_to(Verb& verb, const std::string& default_time, OutputRequest& output,
                      bool uses_threads = true);
 
-  /// The options as they would be typed, for provenance: "--seed 7 --threads 2 --time 60s".
-  [[nodiscard]] std::string command() const;
+  /// The options as they would be typed, for provenance: "--seed 7 --threads 2 --time 60s". What
+  /// draws no random numbers has no seed.
+  [[nodiscard]] std::string command(bool seeded = true) const;
 
   /// What a control needs of it; the rest is added by Running. @throws UsageError if an option is
   /// wrong.

@@ -121,6 +121,9 @@ struct SearchFind {
 [[nodiscard]] std::string provenance(const SearchRequest& request, const Parameters& p,
                                      const std::string& way);
 
+/// Writes provenance to the recipe of a design from base blocks, where it names these.
+void credit(Recipe& developed, const std::string& words);
+
 /// The checkpoint of one of the processes that search together: FILE, FILE.1, FILE.2, …
 [[nodiscard]] std::string checkpoint_of(const LocalSearch& request, std::uint64_t process);
 

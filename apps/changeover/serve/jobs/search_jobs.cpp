@@ -43,14 +43,19 @@ struct DecidedBlocks {
   std::uint64_t steps = 0;  // kB of proof
 };
 
-// A design whose recipe has its blocks and says how it was searched for.
-Design credited(const SearchOrder& order, Design design, const std::string& way) {
+// How a design was searched for.
+std::string provenance(const SearchOrder& order, const std::string& way) {
   cli::SearchRequest request;
   request.run.seed = order.seed;
   request.run.threads = order.threads;
   request.run.time = fmt::format("{:g}s", order.seconds);
   request.blocks = order.blocks;
-  design.recipe = literal_recipe(design, cli::provenance(request, order.parameters, way));
+  return cli::provenance(request, order.parameters, way);
+}
+
+// A design whose recipe has its blocks and says how it was searched for.
+Design credited(const SearchOrder& order, Design design, const std::string& way) {
+  design.recipe = literal_recipe(design, provenance(order, way));
   return design;
 }
 
@@ -359,9 +364,10 @@ SearchJobs::Found SearchJobs::search_exactly(Job& job) {
 }
 
 SearchJobs::Found SearchJobs::search_for_base_blocks(const Job& job) {
+  const SearchOrder& order = job.order;
   BaseBlockOptions options;
-  options.shapes.most_blocks = job.order.blocks;
-  BaseBlockResult result = search_base_blocks(job.order.parameters, options, *job.control);
+  options.shapes.most_blocks = order.blocks;
+  BaseBlockResult result = search_base_blocks(order.parameters, options, *job.control);
   Found found{.known = result.registry_b,
               .attempts = result.attempts.size(),
               .message = describe(result),
@@ -369,6 +375,9 @@ SearchJobs::Found SearchJobs::search_for_base_blocks(const Job& job) {
   if (result.found()) {
     found.design = (*std::move(result.design)).take();
     found.design->recipe = result.recipe;
+    if (result.recipe) {
+      cli::credit(*found.design->recipe, provenance(order, "--base-blocks"));
+    }
   }
   return found;
 }

@@ -26,7 +26,8 @@ std::string provenance(const SearchRequest& request, const Parameters& p, const 
   text += p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength);
   text += request.blocks ? fmt::format(" --blocks {}", *request.blocks) : "";
   text += way.empty() ? "" : " " + way;
-  return text + " " + request.run.command();
+  const std::string limits = request.run.command(!way.starts_with("--exact"));
+  return limits.empty() ? text : text + " " + limits;
 }
 
 Judgement judge(const SearchFind& find) {

@@ -21,7 +21,18 @@ std::string line_of(const ShapeAttempt& attempt) {
   return line;
 }
 
+std::string way_of(const ShapeOptions& shapes) {
+  std::string way = "--base-blocks";
+  way += shapes.tight ? " --tight" : "";
+  way += shapes.n ? fmt::format(" --cycle {}", *shapes.n) : "";
+  return way + (shapes.fixed ? fmt::format(" --fixed-points {}", *shapes.fixed) : "");
+}
+
 }  // namespace
+
+void credit(Recipe& developed, const std::string& words) {
+  (developed.inputs.empty() ? developed : developed.inputs.front()).provenance = words;
+}
 
 Answer search(const BaseBlockSearch& request) {
   const Parameters& p = request.parameters;
@@ -47,9 +58,7 @@ Answer search(const BaseBlockSearch& request) {
   SearchFind find{*result.design, lines};
   if (result.recipe) {
     find.design.recipe = result.recipe;
-    Recipe& leaf = find.design.recipe->inputs.empty() ? *find.design.recipe
-                                                      : find.design.recipe->inputs.front();
-    leaf.provenance = provenance(request, p, "--base-blocks");
+    credit(*find.design.recipe, provenance(request, p, way_of(request.options.shapes)));
   }
   return final_answer(running, show_find(find, request, exit_code::found));
 }
