@@ -42,6 +42,9 @@ TEST(CatalogVerbs, AnswerWhatIsAsked) {
           {"$changeover catalog cite 12.4.1.linear.21.6f25", 0, "@misc{Phillips1999"},
           {"$changeover catalog cite 15.3.2.linear.35.6cb7", 0,
            "author = {{Chafee} and {Stevens}}"},
+          {"$changeover catalog cite 9.3.2.circular.12.9bda", 0,
+           "author = {{Preece} and {Constable} and {Zhang} and {Yucas} and {Wallis} and {McSorley} "
+           "and {Phillips}}"},
           {"$changeover catalog cite 26.4.2.circular.65", 0, "@misc{changeover-26.4.2.circular.65"},
           {"$changeover catalog cite 40.9.2.circular", 4, "has no design"},
           {"$changeover catalog cite", 0, "A catalog of change covering designs"},

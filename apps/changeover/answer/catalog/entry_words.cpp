@@ -42,9 +42,18 @@ std::string bibtex_text(const std::string& words) {
   return text;
 }
 
-// "A and B" as BibTeX has two names, each in braces: a name is one, whatever else is in it.
+// "A, B and C" as BibTeX has three names, each in braces: a name is one, whatever else is in it. A
+// comma is between names only where a list ends with the last "and"; "Doe, Jane" is one name.
 std::string names_of(std::string names) {
+  constexpr std::string_view comma = ", ";
   constexpr std::string_view between = " and ";
+  const std::size_t last = names.rfind(between);
+  if (last != std::string::npos && last == names.find(between) &&
+      names.find(comma, last) == std::string::npos) {
+    for (std::size_t at = names.find(comma); at != std::string::npos; at = names.find(comma)) {
+      names.replace(at, comma.size(), between);
+    }
+  }
   for (std::size_t at = 0; (at = names.find(between, at)) != std::string::npos;) {
     names.replace(at, between.size(), "} and {");
     at += between.size() + 2;

@@ -76,7 +76,13 @@ class Found final : public Described<Entry, description> {
     for (const std::string& more : {credit.program, credit.who, credit.date}) {
       from += (from.empty() || more.empty() ? "" : "; ") + more;
     }
-    return fmt::format("Written down in the catalog as {}: {}.", entry.label(), from);
+    const std::string known =
+        fmt::format("Written down in the catalog as {}: {}.", entry.label(), from);
+    // Blocks that are only a list say nothing more.
+    return entry.recipe.construction == "developed"
+               ? known + " " +
+                     Registry::standard().construction_of(entry.recipe).explain(entry.recipe)
+               : known;
   }
 
   std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
