@@ -77,6 +77,19 @@ const plain = (text) =>
     .replace(/--/g, '–')
     .trim();
 
+// "GE$^2$": what TeX sets as a power.
+const powers = { 2: '²', 3: '³' };
+const titled = (text) =>
+  plain(text.replace(/\$\^\{?(\d)\}?\$/g, (all, digit) => powers[digit] ?? all));
+
+/** "Utilitas Mathematica 47, 55–84 (1995)": where and when a work came out, as far as it is known */
+function place({ where, volume, number, pages, year }) {
+  const issue = [volume, number && `(${number})`].filter(Boolean).join('');
+  const within = [[where, where && issue].filter(Boolean).join(' '), where && pages];
+  const known = within.filter(Boolean).map(plain).join(', ');
+  return known && year ? `${known} (${year})` : known || year || '';
+}
+
 const references = {};
 for (const [, key, body] of (await readFile(join(here, '../docs/references.bib'), 'utf8')).matchAll(
   /^@\w+\{([^,]+),\n(.*?)^\}/gms,
@@ -88,15 +101,10 @@ for (const [, key, body] of (await readFile(join(here, '../docs/references.bib')
     ).exec(body)?.[1];
     return found === undefined ? null : found;
   };
-  const [author, title, year, doi, eprint, url] = [
-    'author',
-    'title',
-    'year',
-    'doi',
-    'eprint',
-    'url',
-  ].map(field);
+  const names = ['author', 'title', 'year', 'doi', 'eprint', 'url', 'note'];
+  const [author, title, year, doi, eprint, url, note] = names.map(field);
   const where = field('journal') ?? field('booktitle');
+  const [volume, number, pages] = ['volume', 'number', 'pages'].map(field);
   references[key] = {
     name: [
       author ? plain(authors(author, false)) : key,
@@ -104,7 +112,12 @@ for (const [, key, body] of (await readFile(join(here, '../docs/references.bib')
     ]
       .filter(Boolean)
       .join(' '),
-    text: [author && plain(authors(author)), title && plain(title), where && plain(where), year]
+    // A work that we know only from others has no title: the note says what it is.
+    text: [
+      author && plain(authors(author)),
+      title ? titled(title) : note && plain(note),
+      place({ where, volume, number, pages, year }),
+    ]
       .filter(Boolean)
       .join('. ')
       .replaceAll('..', '.'),
@@ -114,6 +127,13 @@ for (const [, key, body] of (await readFile(join(here, '../docs/references.bib')
         ? `https://arxiv.org/abs/${eprint}`
         : (url ?? null),
   };
+}
+
+// "[ChafeeStevens2025, Section 1]" in a note is "Chafee and Stevens 2025, Section 1".
+for (const work of Object.values(references)) {
+  work.text = work.text.replace(/\[([A-Z]\w+)([^\]]*)\]/g, (all, key, within) =>
+    key in references ? references[key].name + within : all,
+  );
 }
 
 const bibliography = join(here, 'references.json');

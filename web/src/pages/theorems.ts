@@ -473,10 +473,10 @@ export const theorems: Page = {
                   class: key === wanted.reference ? 'statement chosen' : null,
                   tabindex: -1,
                 },
-                h('span', { class: 'code' }, `[${key}]`),
-                ' ',
-                text,
+                `${text.replace(/\.$/, '')}.`,
                 url && [' ', h('a', { href: url, rel: 'noreferrer' }, url.replace('https://', ''))],
+                // What the program cites it by.
+                [' ', h('span', { class: 'code small' }, `[${key}]`)],
               ),
             ),
           ),

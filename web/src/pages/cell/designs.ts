@@ -6,15 +6,23 @@ import { fill, h, type Child } from '../../lib/dom';
 import { cite } from '../../lib/source';
 import { count } from '../../lib/words';
 import { copyButton } from '../../parts/copy';
+import { reason } from '../../parts/recipe';
 import { badge } from '../../parts/status';
 import { link, problem } from '../../shell/router';
 
-/** A design whose blocks are written down, and which no construction made, was found. */
+/** Where the blocks of a design that no construction made are from. */
+const sources: Readonly<Record<string, readonly [before: string, linked: string, after: string]>> =
+  {
+    found: ['', 'Found', ' and written down'],
+    literal: ['', 'Found', ' and written down'],
+    developed: ['', 'Found', ', with an automorphism that makes it of base blocks'],
+    printed: ['', 'Printed', ' in a publication'],
+  };
+
 export function madeBy(construction: string): Child[] {
-  const found = construction === 'found' || construction === 'literal';
-  return found
-    ? [h('a', { href: link('theorems', { construction: 'found' }) }, 'Found'), ' and written down']
-    : ['Made by ', h('a', { href: link('theorems', { construction }) }, construction)];
+  const [before, linked, after] = sources[construction] ?? ['Made by ', construction, ''];
+  const of = construction === 'literal' ? 'found' : construction;
+  return [before, h('a', { href: link('theorems', { construction: of }) }, linked), after];
 }
 
 /** A button that shows BibTeX, and where it shows it. */
@@ -79,7 +87,7 @@ function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLEl
         [' · from ', entry.cites.map((key, i) => [i > 0 ? ', ' : '', work(key)]).flat()].flat(),
     ),
     command && h('p', {}, h('code', {}, command)),
-    entry.note && h('p', { class: 'hint' }, entry.note),
+    entry.note && h('p', { class: 'hint' }, reason(entry.note)),
     entry.retracted && h('p', { class: 'hint' }, `Retracted: ${entry.retracted}`),
     shown,
   );
