@@ -1,4 +1,4 @@
-// The commands that the catalog credits its designs to: whoever runs one again is not refused.
+// The commands that the catalog credits its designs to: none is refused.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
