@@ -181,6 +181,13 @@ std::string RowReader::place(const Field& field) const {
                 : fmt::format("{}:{}:{}", lines_.name(), field.line, field.offset + 1);
 }
 
+std::optional<std::string> RowReader::merged_with_others(const Field& field) const {
+  const auto range = std::ranges::find_if(across_, [&](const MergedRange& each) {
+    return each.first_column < field.offset && field.offset <= each.last_column;
+  });
+  return range == across_.end() ? std::nullopt : std::optional(range_name(*range));
+}
+
 RowReader::RowReader(Input& input, const RowOptions& options)
     : options_(options), input_(input, mark_bytes), lines_(input_, options.longest_line) {
   given_ = dynamic_cast<const GivenRows*>(&input);
@@ -253,6 +260,7 @@ std::optional<Row> RowReader::next_of_sheet() {
   while (auto cells = sheet_->next()) {
     sheet_row_ = cells->number;
     after_blank_ = sheet_row_ > before + 1;
+    across_ = std::move(cells->across);
     Row row;
     for (SheetCell& cell : cells->cells) {
       const std::size_t start = cell.text.find_first_not_of(' ');
@@ -287,6 +295,16 @@ std::optional<Row> RowReader::next_of_sheet() {
   return std::nullopt;
 }
 
+bool RowReader::is_row_all_the_same(std::string_view line, Row& row) const {
+  if (!options_.is_no_comment || first_defect(line, true)) {
+    return false;
+  }
+  const char separator =
+      separator_ != '\0' ? separator_ : first_separator(line, options_.blanks).value_or('\0');
+  return separator != '\0' && !split_at(line, AtOne{separator}, row, lines_.number()) &&
+         options_.is_no_comment(row);
+}
+
 bool RowReader::split(Row& row) {
   if (of_sheet_) {
     row = *std::exchange(of_sheet_, std::nullopt);
@@ -300,8 +318,8 @@ bool RowReader::split(Row& row) {
   const std::size_t begin =
       options_.percent_too ? std::min(line.find_first_not_of(" \t"), line.size()) : 0;
   const std::string_view rest = line.substr(begin);
-  if (rest.starts_with('#') || (options_.percent_too && rest.starts_with('%')) ||
-      std::ranges::all_of(rest, is_blank)) {
+  if ((rest.starts_with('#') && !is_row_all_the_same(line, row)) ||
+      (options_.percent_too && rest.starts_with('%')) || std::ranges::all_of(rest, is_blank)) {
     if (const std::size_t at = line.find('\r'); at != std::string_view::npos) {
       fail(at, lone_carriage_return);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -67,6 +68,8 @@ class SheetInput final : public Input {
 struct RowOptions {
   bool any_separator = false;  ///< commas, semicolons and tabs all separate, in each row on its own
   bool blanks = false;         ///< a row without any of them may be split by at_blanks()
+  std::function<bool(const std::vector<Field>&)> is_no_comment =
+      {};  ///< whether a row that begins with # is a row all the same, as the heads "#,A,B" are
   bool percent_too =
       false;  ///< a row that begins with % is a comment, too, and blanks may come before it
   std::size_t longest_line = std::size_t{1} << 24;
@@ -127,6 +130,10 @@ class RowReader {
   /// The place of this field, of any row: "list.csv:3:7", "book.xlsx:Run!D3".
   [[nodiscard]] std::string place(const Field& field) const;
 
+  /// Of the last row: the merged cells that this field is part of, "B5:C5", if what they say is in
+  /// another column. Nothing outside workbooks.
+  [[nodiscard]] std::optional<std::string> merged_with_others(const Field& field) const;
+
   /// The separator of the rows: ',', ';' or a tab; a comma as long as no row has one.
   [[nodiscard]] char separator() const { return separator_ == '\0' ? ',' : separator_; }
 
@@ -141,16 +148,19 @@ class RowReader {
   /// The next row of the sheet that is not blank.
   std::optional<Row> next_of_sheet();
   std::optional<Row> next_given();
+  /// Whether a line that begins like a comment is none; its fields are then in the row.
+  [[nodiscard]] bool is_row_all_the_same(std::string_view line, Row& row) const;
 
   RowOptions options_;
   PeekedInput input_;
   InputLines lines_;
   std::optional<WorkbookSheet> sheet_;
   const GivenRows* given_ = nullptr;
-  std::uint64_t given_next_ = 0;  // the header is 0, rows come after it
-  std::optional<Row> of_sheet_;   // the last one that next_line() found, of given rows too
-  std::uint64_t sheet_row_ = 1;   // its number
-  std::size_t width_ = 0;         // of the first row of the sheet
+  std::uint64_t given_next_ = 0;     // the header is 0, rows come after it
+  std::optional<Row> of_sheet_;      // the last one that next_line() found, of given rows too
+  std::uint64_t sheet_row_ = 1;      // its number
+  std::size_t width_ = 0;            // of the first row of the sheet
+  std::vector<MergedRange> across_;  // of its last row
   std::uint64_t rows_ = 0;
   char separator_ = '\0';  // not known yet
   bool after_blank_ = false;

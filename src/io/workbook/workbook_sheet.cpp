@@ -19,6 +19,7 @@
 #include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/scan/xml_events.hpp"
+#include "io/workbook/merged_cells.hpp"
 #include "io/workbook/workbook_parts.hpp"
 
 namespace changeover {
@@ -50,7 +51,8 @@ ZipArchive open_archive(std::string bytes, const std::string& file) {
 // The cells of a sheet as rows.
 class Rows final : public XmlHandler {
  public:
-  Rows(const WorkbookParts& parts, std::string place) : parts_(&parts), place_(std::move(place)) {}
+  Rows(const WorkbookParts& parts, std::string place, std::vector<MergedRange> merged)
+      : parts_(&parts), place_(std::move(place)), merged_(std::move(merged), place_) {}
 
   void begin(std::string_view name, const XmlAttributes& attributes) override {
     if (name == "sheetData") {
@@ -78,8 +80,10 @@ class Rows final : public XmlHandler {
     } else if (name == "c" && in_cell_) {
       end_cell();
     } else if (name == "row" && !row_.cells.empty()) {
+      count(merged_.fill(row_));
       rows_.push_back(std::move(row_));
       row_.cells.clear();
+      row_.across.clear();
     }
   }
 
@@ -146,15 +150,19 @@ class Rows final : public XmlHandler {
     if (text.empty()) {
       return;
     }
-    row_bytes_ += text.size();
-    bytes_ += text.size();
+    count(text.size());
+    row_.cells.push_back({column_, std::move(text)});
+  }
+
+  void count(std::uint64_t bytes) {
+    row_bytes_ += bytes;
+    bytes_ += bytes;
     if (row_bytes_ > most_row_bytes) {
       fail("a row of more than 16 MiB; this is no list");
     }
     if (bytes_ > most_text_bytes) {
       fail("more than 1 GiB; give a list without repetitions");
     }
-    row_.cells.push_back({column_, std::move(text)});
   }
 
   [[nodiscard]] std::string content() const {
@@ -202,6 +210,7 @@ class Rows final : public XmlHandler {
 
   const WorkbookParts* parts_;
   std::string place_;
+  MergedCells merged_;
   std::deque<SheetRow> rows_;
   SheetRow row_;
   std::uint64_t row_bytes_ = 0;
@@ -265,7 +274,7 @@ struct WorkbookSheet::State {
         parts(workbook_parts(archive, file)),
         sheet(find_sheet(parts, file, wanted)),
         place(fmt::format("{}:{}", file, sheet.name)),
-        rows(parts, place),
+        rows(parts, place, merged_ranges(archive, sheet.member, most_sheet_bytes, place)),
         reader(fmt::format("{}:{}", file, sheet.member), rows),
         member(archive.open(sheet.member, most_sheet_bytes)) {
     if (!member) {

@@ -7,7 +7,8 @@
 // at a time; what the whole workbook shares (texts, formats of numbers) is held in memory. A cell
 // says what a reader of the sheet sees: a text, a number in full, TRUE or FALSE, a date as
 // 2024-05-01; a formula says the value that the file holds for it. Line ends and tabs within a cell
-// are blanks. Hidden sheets are found by their name only.
+// are blanks. What merged cells say, each row of them says in their first column, if it has
+// something else in it, too. Hidden sheets are found by their name only.
 //
 // Limits: 64 MiB as a file; unpacked, 512 MiB of the sheet and 64 MiB of what is shared; 32,767
 // characters a cell and 16 MiB a row; 1 GiB of text in all.
@@ -27,9 +28,20 @@ struct SheetCell {
   std::string text;          ///< never empty
 };
 
+/// Cells that are shown as one.
+struct MergedRange {
+  std::uint64_t first_column = 0;  ///< from 0
+  std::uint64_t first_row = 0;     ///< from 1
+  std::uint64_t last_column = 0;
+  std::uint64_t last_row = 0;
+};
+/// "B2:B4".
+[[nodiscard]] std::string range_name(const MergedRange& range);
+
 struct SheetRow {
-  std::uint64_t number = 0;      ///< from 1
-  std::vector<SheetCell> cells;  ///< at least one; columns increase
+  std::uint64_t number = 0;         ///< from 1
+  std::vector<SheetCell> cells;     ///< at least one; columns increase
+  std::vector<MergedRange> across;  ///< that it is part of and that have several columns
 };
 
 /// Whether a file that begins like this may be a workbook, an old or an encrypted one included;
