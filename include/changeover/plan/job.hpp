@@ -283,8 +283,9 @@ class CheckedJob {
 };
 
 /// Removes the pairs of earlier tests from the needed ones. If the job has no start, the last test
-/// becomes its start. @throws BadInput if a test is larger than at_once, or has a repeated or
-/// unknown part. O(v² + tests · at_once · v/64). Stopped if the scope of this thread
+/// becomes its start. A test may be larger than at_once, since more parts may have fitted when it
+/// was done; the start then has as many of its parts as fit. @throws BadInput if a test has a
+/// repeated or unknown part. O(v² + tests · at_once · v/64). Stopped if the scope of this thread
 /// (run/control.hpp) requests it. After an exception the job is unchanged.
 void mark_done(Job& job, const std::vector<Block>& setups);
 

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
-#include <set>
 #include <unordered_set>
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/contains.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
@@ -16,6 +18,8 @@
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/job/parts/heading_words.hpp"
+#include "plan/job/setups/extra_rows.hpp"
 #include "plan/job/setups/other_results.hpp"
 #include "plan/job/setups/setup_columns.hpp"
 #include "plan/job/setups/setup_list.hpp"
@@ -25,13 +29,32 @@
 namespace changeover {
 namespace {
 
-// Two columns with the same name cannot be told apart.
-void check_header(const Row& header, const RowReader& reader) {
-  std::set<std::string> seen;
-  for (const Field& field : header) {
-    if (!field.text.empty() && !seen.insert(lower_case(field.text)).second) {
-      reader.fail(
-          field, fmt::format("two columns are called {}; rename or remove one", shown(field.text)));
+// Whether a column means something.
+bool is_read(const Row& header, std::size_t i, const SetupColumns& columns) {
+  constexpr auto others =
+      std::to_array<std::string_view>({"take_out", "put_in", "set", "new_pairs", "new_triples"});
+  const std::string& head = header[i].text;
+  return contains(columns.slots, i) || i == columns.list || i == columns.step ||
+         i == columns.result || i == columns.notes || i == columns.bench || heads_results(head) ||
+         heads_steps(head) || std::ranges::find(others, lower_case(head)) != others.end();
+}
+
+// Two columns with the same name cannot be told apart. Those that are of the user's own need not
+// be, whatever their case.
+void check_header(const Row& header, const SetupColumns& columns, const RowReader& reader) {
+  std::map<std::string, std::size_t> seen;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const std::string& head = header[i].text;
+    const auto [before, is_new] = seen.emplace(lower_case(head), i);
+    if (head.empty() || is_new) {
+      continue;
+    }
+    const std::string& other = header[before->second].text;
+    const bool is_ours = other == head && own_head(head) != nullptr;
+    if (is_ours || is_read(header, i, columns) || is_read(header, before->second, columns)) {
+      const std::string both =
+          other == head ? shown(head) : fmt::format("{} and {}", shown(other), shown(head));
+      reader.fail(header[i], fmt::format("two columns are called {}; rename or remove one", both));
     }
   }
 }
@@ -57,6 +80,20 @@ void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
   }
 }
 
+// Cells side by side that were merged keep one value: the others are lost.
+void check_merged(const Row& row, const SetupColumns& columns, const RowReader& reader) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const bool is_read = contains(columns.slots, i) || i == columns.list || i == columns.step ||
+                         i == columns.result || i == columns.bench;
+    const auto range = is_read ? reader.merged_with_others(row[i]) : std::nullopt;
+    if (range) {
+      reader.fail(row[i], fmt::format("the cells {} are merged, so this one is empty; separate "
+                                      "them, and write what belongs here",
+                                      *range));
+    }
+  }
+}
+
 // Replaces a value in the column of a parameter by the name of its part; an unknown value by what
 // its name would be.
 void name_value(const PartFinder& finder, std::size_t parameter, const std::string& text,
@@ -72,7 +109,10 @@ void name_value(const PartFinder& finder, std::size_t parameter, const std::stri
 class SetupReader {
  public:
   SetupReader(Input& input, const PartNames& names, std::uint64_t at_once, bool forgiving)
-      : reader_(input),
+      : reader_(input, {.is_no_comment =
+                            [this](const Row& row) {
+                              return !is_begun_ && setup_columns(row, finder_, false).header;
+                            }}),
         finder_(names, numbers_in(reader_)),
         at_once_(at_once),
         forgiving_(forgiving),
@@ -80,28 +120,28 @@ class SetupReader {
 
   DoneList read() {
     std::vector<Row> above;  // the first row, and those that follow a title
-    bool is_begun = false;
     for (std::optional<Row> row = reader_.next(); row; row = reader_.next()) {
       finder_.restore_blanks(*row);
-      if (is_begun) {
+      if (is_begun_) {
         take(*std::move(row));
         continue;
       }
-      is_begun = is_header(*row);
-      if (is_begun) {
+      is_begun_ = is_header(*row);
+      if (is_begun_) {
         continue;  // what is above it are titles
       }
       const bool may_be_title = is_title(*row);
       above.push_back(*std::move(row));
       if (!may_be_title || above.size() > most_titles) {
-        is_begun = true;
+        is_begun_ = true;
         take_all_of(above);
       }
     }
-    if (!is_begun) {
+    if (!is_begun_) {
       take_all_of(above);
     }
     if (columns_.header && forgiving_) {
+      extra_rows_.say(list_);
       say_what_was_taken();
       steps_.put_in_order(list_, header_, columns_, reader_);
       other_results_.say(list_, header_, reader_);
@@ -171,7 +211,13 @@ class SetupReader {
     columns_ = setup_columns(row, finder_, reader_.is_given());
     if (columns_.header) {
       header_ = row;
-      check_header(header_, reader_);
+      // "# step" is no comment.
+      std::string& first = header_.front().text;
+      if (first.starts_with('#') && first.size() > 1 && !reader_.is_workbook()) {
+        first.erase(0, std::min(first.find_first_not_of("# "), first.size()));
+        columns_ = setup_columns(header_, finder_, false);
+      }
+      check_header(header_, columns_, reader_);
       list_.places = places_of(columns_, header_, finder_);
       other_results_.find(header_, columns_);
       if (forgiving_ && !reader_.is_given() && !columns_.slots.empty()) {
@@ -186,7 +232,11 @@ class SetupReader {
       if (reader_.is_workbook() && row.size() < header_.size()) {
         row.resize(header_.size(), Field{.text = {}, .line = row.front().line});
       }
+      if (is_extra(row)) {
+        return;
+      }
       check_shape(row, header_, columns_, reader_);
+      check_merged(row, columns_, reader_);
     }
     const std::size_t place = row.front().offset;
     DoneRow done{.setup = {}, .line = row.front().line};
@@ -205,11 +255,10 @@ class SetupReader {
     if (is_empty) {
       reader_.fail(place, "a row without a set-up; remove it or complete it");
     }
-    if (done.setup.size() > at_once_) {
-      reader_.fail(
-          place,
-          fmt::format("{} parts, but only {} fit at once; {}", done.setup.size(), at_once_,
-                      forgiving_ ? "write it as several tests, or let more fit" : "remove some"));
+    // More may have fitted when a test was done.
+    if (done.setup.size() > at_once_ && !forgiving_) {
+      reader_.fail(place, fmt::format("{} parts, but only {} fit at once; remove some",
+                                      done.setup.size(), at_once_));
     }
     if (evidence_) {
       evidence_->take(row, done, [this](const std::string& name) {
@@ -217,6 +266,19 @@ class SetupReader {
       });
     }
     list_.rows.push_back(std::move(done));
+  }
+
+  // Whether a row is no test. One that another column of results has something to say of is none
+  // that could be skipped.
+  bool is_extra(const Row& row) {
+    if (!forgiving_ || reader_.is_given()) {
+      return false;
+    }
+    const auto kind = extra_rows_.take(row, header_, columns_, finder_, reader_);
+    if (kind == ExtraRows::Kind::other) {
+      other_results_.check(row, DoneRow{}, header_, columns_, reader_);
+    }
+    return kind != ExtraRows::Kind::test;
   }
 
   // The columns beside the set-up.
@@ -252,14 +314,16 @@ class SetupReader {
   bool take_slots(Row& row, DoneRow& done) {
     Row slots;
     for (std::size_t c = 0; c < columns_.slots.size() && columns_.slots[c] < row.size(); ++c) {
-      slots.push_back(std::move(row[columns_.slots[c]]));
+      Field& slot = slots.emplace_back(std::move(row[columns_.slots[c]]));
+      const std::string text = text_of(slot.text);
       if (c < columns_.parameters.size()) {
-        name_value(finder_, columns_.parameters[c], text_of(slots.back().text), slots.back());
+        const std::size_t parameter = columns_.parameters[c];
+        done.written.emplace_back(finder_.model()->without_parameter(parameter, text));
+        name_value(finder_, parameter, text, slot);
+      } else {
+        done.written.push_back(text);
       }
-    }
-    for (const Field& slot : slots) {
       done.in_place.push_back(slot.text.empty() ? std::nullopt : find_cell(slot.text));
-      done.written.push_back(text_of(slot.text));
     }
     return take_cells(std::move(slots), done, [&](const Field& field, const std::string& what) {
       reader_.fail(field, what);
@@ -330,9 +394,11 @@ class SetupReader {
   std::uint64_t at_once_;
   bool forgiving_;
   bool names_only_;
+  bool is_begun_ = false;  // the titles are behind
   SetupColumns columns_;
   Row header_;
   StepNumbers steps_;
+  ExtraRows extra_rows_;
   OtherResults other_results_;
   std::optional<SheetEvidence> evidence_;  // of a run sheet with a column for each place
   std::unordered_set<std::string> gone_;

@@ -15,7 +15,10 @@
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/job/setups/setup_list.hpp"
+#include "plan/job/setups/step_numbers.hpp"
 #include "plan/request/asked_benches.hpp"
+#include "plan/request/bench_tabs.hpp"
 #include "plan/request/sheets_agree.hpp"
 
 namespace changeover {
@@ -146,8 +149,10 @@ void record_test(DoneRecord& record, std::vector<DonePlace> places, const DoneRo
   kept.step = test.step;
 }
 
-// The places of the bench after the test from which the plan continues, with their parts.
-std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, const Job& job) {
+// The places of the bench after the test from which the plan continues, with their parts; without
+// slots, no more than parts fit.
+std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, const Job& job,
+                                       std::uint64_t room) {
   const bool slots_are_named =
       std::ranges::any_of(list.places, [](const DonePlace& place) { return !place.slot.empty(); });
   const auto slot_of = [&](Element x) { return job.slots.empty() ? no_slot : job.slot_of[x]; };
@@ -174,6 +179,11 @@ std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, c
       place.part = part;
     }
     places.push_back(place);
+  }
+  for (std::size_t i = places.size(); i-- > 0 && places.size() > room && job.slots.empty();) {
+    if (!places[i].part) {
+      places.erase(places.begin() + static_cast<std::ptrdiff_t>(i));
+    }
   }
   return places;
 }
@@ -210,10 +220,19 @@ class DoneTaker {
                           : read_done(*input, *options_->names, most_at_once(*job_, *benches_)));
     }
     if (!options_->all_parts_known) {
+      take_benches_of_tabs(inputs, *benches_, lists, list_.notes);
       make_agree(inputs, lists, list_.notes);
     }
-    for (DoneList& list : lists) {
-      append(list_, std::move(list));
+    std::vector<std::size_t> begins;  // of the rows of run sheets
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      if (lists.size() > 1 && !is_of_earlier_tests(*inputs[i])) {
+        begins.push_back(list_.rows.size());
+      }
+      append(list_, std::move(lists[i]));
+    }
+    if (put_sheets_in_order(list_.rows, begins)) {
+      list_.notes.push_back(
+          name_ + ": its sheets are not in the order of their steps; the tests are taken in it");
     }
     leave_out(*options_->left, *options_->names, list_);
     note_columns_that_may_lack();
@@ -251,8 +270,26 @@ class DoneTaker {
             return contains(row.setup, x);
           })) {
         note(fmt::format("no test has {}, which stays mounted", shown(job_->names[x])));
+      } else if (const auto row = row_that_lost(x)) {
+        list_.notes.push_back(fmt::format(
+            "{}: the test in row {} has an empty cell and lacks {}, which stays "
+            "mounted; if it was there, write it: what was tested with it does not count",
+            name_, list_.rows[*row].line, shown(job_->names[x])));
       }
     }
+  }
+
+  // The first test with a result and an empty place that lacks a part, where others have it.
+  [[nodiscard]] std::optional<std::size_t> row_that_lost(Element x) const {
+    for (std::size_t i = 0; i < list_.rows.size() && benches_->empty(); ++i) {
+      const DoneRow& row = list_.rows[i];
+      const auto is_empty = [](const std::string& text) { return text.empty(); };
+      if (!row.result.empty() && !contains(row.setup, x) &&
+          std::ranges::any_of(row.written, is_empty)) {
+        return i;
+      }
+    }
+    return std::nullopt;
   }
 
   // The bench of a test; nullopt if unknown.
@@ -269,6 +306,27 @@ class DoneTaker {
     return found;
   }
 
+  // The most parts that fit, now.
+  [[nodiscard]] std::uint64_t room_of(std::optional<std::size_t> bench) const {
+    return bench ? (*benches_)[*bench].at_once.value_or(job_->at_once)
+                 : most_at_once(*job_, *benches_);
+  }
+
+  // Parts of the last test that do not fit any more.
+  void note_what_is_out(const Block& setup, const Block& start) {
+    if (setup.size() > start.size() && !start.empty()) {
+      std::vector<std::string> out;
+      for (const Element x : setup) {
+        if (!contains(start, x)) {
+          out.push_back(job_->names[x]);
+        }
+      }
+      answer_.notes.push_back(
+          fmt::format("{}: {} of the last test had no room any more, and {} as taken out", name_,
+                      joined(out, shown), out.size() == 1 ? "counts" : "count"));
+    }
+  }
+
   void add(std::size_t i) {
     const DoneRow& row = list_.rows[i];
     const TestResult result = result_of(row.result);
@@ -283,6 +341,10 @@ class DoneTaker {
         answer_.rest.push_back(row.setup);
       }
       return;
+    }
+    if (row.setup.size() > room_of(bench)) {
+      first_large_ = first_large_.value_or(i);
+      ++large_;
     }
     answer_.done.push_back({row.setup, result});
     record_test(answer_.record, list_.places, row, *job_,
@@ -312,6 +374,14 @@ class DoneTaker {
           name_, count_of(failed_with_gone_, "test"), failed_with_gone_ == 1 ? "it" : "them"));
     }
     note_unread(*options_, *words_, answer_);
+    if (large_ > 0 && !options_->for_diagnosis) {
+      const DoneRow& row = list_.rows[*first_large_];
+      notes.push_back(fmt::format(
+          "{}: {} had more parts than fit at once now, as that in row {} with {}; {} as done, and "
+          "only new tests keep to the room",
+          name_, count_of(large_, "test"), row.line, row.setup.size(),
+          large_ == 1 ? "it counts" : "they count"));
+    }
     if (!list_.gone.empty()) {
       notes.push_back(gone_note(name_, list_.gone));
     }
@@ -342,12 +412,16 @@ class DoneTaker {
     if (benches_->empty()) {
       std::vector<Block> setups = each_of<Block>(answer_.done, &DoneTest::setup);
       take_first_off(setups, job_->first);
+      const bool starts_after_it = job_->start.empty();
       mark_tested(*job_, answer_.done, options_->failed);
       for (const DoneRecord::Test& test : answer_.record.tests) {
         job_->last_step = std::max(job_->last_step, test.step.value_or(0));
       }
       if (last_) {
-        job_->places = places_after(list_, *last_, *job_);
+        job_->places = places_after(list_, *last_, *job_, job_->at_once);
+        if (starts_after_it) {
+          note_what_is_out(list_.rows[*last_].setup, job_->start);
+        }
       }
       return;
     }
@@ -374,9 +448,8 @@ class DoneTaker {
       const std::vector<bool> barred = barred_parts(*job_, bench);
       Block start = setups.back();
       std::erase_if(start, [&](Element x) { return barred[x]; });
-      // The room may have become smaller.
-      start.resize(std::min<std::size_t>(start.size(), bench.at_once.value_or(job_->at_once)));
-      bench.start = std::move(start);
+      bench.start = what_stays(*job_, start, room_of(b));
+      note_what_is_out(start, *bench.start);
     }
     *job_ = std::move(whole);
     drop_overdrawn(*job_, *benches_, answer_.notes);
@@ -384,7 +457,7 @@ class DoneTaker {
       if (!on_bench_[b].empty()) {
         Job there = *job_;
         there.start = *(*benches_)[b].start;
-        (*benches_)[b].places = places_after(list_, on_bench_[b].back(), there);
+        (*benches_)[b].places = places_after(list_, on_bench_[b].back(), there, room_of(b));
       }
     }
   }
@@ -411,6 +484,8 @@ class DoneTaker {
   std::uint64_t all_ = 0;
   std::uint64_t failed_with_gone_ = 0;
   std::uint64_t not_run_ = 0;
+  std::uint64_t large_ = 0;  // tests with more parts than fit now
+  std::optional<std::size_t> first_large_;
   bool has_results_ = false;
   ReadJob answer_;
 };

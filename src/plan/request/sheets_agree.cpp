@@ -31,21 +31,6 @@ std::string name_of_list(const Input& input) {
   return sheet == nullptr ? input.name() : input.name() + ":" + sheet->sheet();
 }
 
-// Whether a sheet is of earlier tests, by its name or heads: they may have numbers of their own.
-bool is_of_earlier_tests(Input& input) {
-  const SheetInput* const sheet = sheet_of(input);
-  if (sheet == nullptr || lower_case(sheet->sheet()) == lower_case(done_sheet)) {
-    return sheet != nullptr;
-  }
-  try {
-    WorkbookSheet rows(input.rewind() ? read_to_end(input) : "", input.name(), sheet->sheet());
-    const auto head = head_row(rows);
-    return head && shape_of(head->heads) == SheetShape::done;
-  } catch (const BadInput&) {
-    return false;
-  }
-}
-
 std::string at(const Input& input, const DoneRow& row) {
   return fmt::format("{}: row {}", name_of_list(input), row.line);
 }
@@ -209,6 +194,20 @@ class Agreement {
 };
 
 }  // namespace
+
+bool is_of_earlier_tests(Input& input) {
+  const SheetInput* const sheet = sheet_of(input);
+  if (sheet == nullptr || lower_case(sheet->sheet()) == lower_case(done_sheet)) {
+    return sheet != nullptr;
+  }
+  try {
+    WorkbookSheet rows(input.rewind() ? read_to_end(input) : "", input.name(), sheet->sheet());
+    const auto head = head_row(rows);
+    return head && shape_of(head->heads) == SheetShape::done;
+  } catch (const BadInput&) {
+    return false;
+  }
+}
 
 void make_agree(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<DoneList>& lists,
                 std::vector<std::string>& notes) {

@@ -10,6 +10,10 @@
 
 namespace changeover {
 
+/// Whether a list is a sheet of earlier tests, by its name or heads: they may have numbers of their
+/// own.
+[[nodiscard]] bool is_of_earlier_tests(Input& input);
+
 /// Makes each test count once that is on two of these lists, those of the inputs, with the same
 /// bench, step and set-up; notes say so, and which steps of the sheet `Done` are other tests.
 /// O(rows · log rows). @throws BadInput, with both places, if their results differ or two run

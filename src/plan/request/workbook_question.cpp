@@ -21,7 +21,9 @@
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
 #include "plan/job/parts/heading_words.hpp"
+#include "plan/job/setups/step_numbers.hpp"
 #include "plan/request/asked_benches.hpp"
+#include "plan/request/bench_tabs.hpp"
 #include "plan/request/run_workbook.hpp"
 #include "plan/request/sheets_agree.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
@@ -151,6 +153,7 @@ Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
             : read_done(*input, job.names, most_at_once(job, written.before->benches)));
   }
   std::vector<std::string> said_later;
+  take_benches_of_tabs(inputs, written.before->benches, written.lists, said_later);
   make_agree(inputs, written.lists, said_later);
   return written;
 }
@@ -166,13 +169,15 @@ void note_unread_results(const RunWorkbook& book, std::vector<std::string>& note
 }
 
 // A bench whose sheet was taken out of the workbook takes its results along.
-void note_lost_sheets(const RunWorkbook& book, const Written& written,
-                      std::vector<std::string>& notes) {
+void note_lost_sheets(const RunWorkbook& book, const std::vector<std::string>& run,
+                      const Written& written, std::vector<std::string>& notes) {
   const std::vector<Bench>& benches = written.before->benches;
-  if (written.lists.size() >= benches.size()) {
-    return;
-  }
   std::vector<bool> named(benches.size(), false);
+  for (const std::string& tab : run) {  // the sheet of a bench without tests is empty
+    if (const auto bench = bench_of_tab(benches, tab)) {
+      named[*bench] = true;
+    }
+  }
   for (const DoneList& list : written.lists) {
     for (const DoneRow& row : list.rows) {
       if (const auto bench = find_bench(benches, row.bench)) {
@@ -186,10 +191,11 @@ void note_lost_sheets(const RunWorkbook& book, const Written& written,
       without += (without.empty() ? "" : ", ") + name_of(benches, b);
     }
   }
-  notes.push_back(fmt::format("{}: {} for {}{}; put back a sheet that had results", book.name,
-                              count_of(written.lists.size(), "sheet"),
-                              count_of(benches.size(), "bench", "benches"),
-                              without.empty() ? "" : ", none with tests of " + without));
+  if (!without.empty()) {
+    notes.push_back(fmt::format(
+        "{}: {} for {}, none with tests of {}; put back a sheet that had results", book.name,
+        count_of(run.size(), "sheet"), count_of(benches.size(), "bench", "benches"), without));
+  }
 }
 
 // Why no result was found on run sheets: no column for them, or what their reader says.
@@ -214,13 +220,18 @@ void take_off_budget(JobRequest& question, const std::string& name, const Writte
   const std::vector<Bench>& benches = written.before->benches;
   std::vector<std::vector<Block>> done(std::max<std::size_t>(1, benches.size()));
   std::uint64_t tests = 0;
+  std::vector<DoneRow> rows;
+  std::vector<std::size_t> begins;
   for (const DoneList& list : written.lists) {
-    for (const DoneRow& row : list.rows) {
-      const TestResult result = result_of(row.result);
-      if (result != TestResult::none && result != TestResult::not_run) {
-        done[find_bench(benches, row.bench).value_or(0)].push_back(row.setup);
-        ++tests;
-      }
+    begins.push_back(rows.size());
+    rows.insert(rows.end(), list.rows.begin(), list.rows.end());
+  }
+  put_sheets_in_order(rows, begins);
+  for (const DoneRow& row : rows) {
+    const TestResult result = result_of(row.result);
+    if (result != TestResult::none && result != TestResult::not_run) {
+      done[find_bench(benches, row.bench).value_or(0)].push_back(row.setup);
+      ++tests;
     }
   }
   Amount spent;
@@ -456,7 +467,7 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
   if (!run.empty() && !request.done.is_given()) {
     const Written written = written_on(book, run, question);
     const bool has_results = written.has_results();
-    note_lost_sheets(book, written, notes);
+    note_lost_sheets(book, run, written, notes);
     if (has_results || has_done || request.diagnose) {
       request.done = book.list;
     } else {

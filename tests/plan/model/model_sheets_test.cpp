@@ -107,7 +107,7 @@ TEST(ModelSheets, SeedsHaveColumnsInAnyOrderAndOthersBesides) {
   EXPECT_EQ(complaint("OS,Log\nArch,On\n"),
             "s.tsv:2:1: OS has no value 'Arch'; write it as the model does");
   EXPECT_EQ(complaint("OS,os\nDebian,Debian\n"),
-            "s.tsv:1:4: two columns are called 'os'; rename or remove one");
+            "s.tsv:1:4: two columns are called 'OS' and 'os'; rename or remove one");
   EXPECT_EQ(
       complaint("Arch,Debian\n"),
       "s.tsv:1:1: no parameter has the value 'Arch'; write it as the model does, or as Parameter: value");
@@ -116,6 +116,20 @@ TEST(ModelSheets, SeedsHaveColumnsInAnyOrderAndOthersBesides) {
   EXPECT_THAT(done.gone, ElementsAre("OS: Arch"));
   EXPECT_THAT(each_of<std::string>(done.rows, &DoneRow::result), ElementsAre("pass", "fail"));
   EXPECT_TRUE(done.rows[0].lacks);
+}
+
+// A column says which parameter it is of, so that its cells need not; the value may be no text.
+TEST(ModelSheets, TestsThatWereDoneAreKeptWithoutTheNamesOfParameters) {
+  const Job job = test::job_of_text("Log: On, Off\nRetry: On, Off\nEmpty: , x\n");
+  const DoneList done = read_done(
+      *input_from_text(
+          "step,Log,Retry,Empty,new_pairs,result\n1,Log: On,Off,,3,pass\n2,On,Retry=On,x,3,\n",
+          "d.csv"),
+      job);
+  EXPECT_THAT(done.rows[0].written, ElementsAre("On", "Off", ""));
+  EXPECT_THAT(done.rows[0].setup, ElementsAre(0, 3, 4));
+  EXPECT_THAT(done.rows[1].written, ElementsAre("On", "On", "x"));
+  EXPECT_THAT(done.notes, testing::IsEmpty());
 }
 
 }  // namespace

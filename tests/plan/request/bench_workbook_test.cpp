@@ -111,6 +111,38 @@ TEST_F(BenchWorkbook, ALostSheetIsNoted) {
                        "that had results"));
 }
 
+// A copy of another bench's sheet does not make up for it.
+TEST_F(BenchWorkbook, ALostSheetIsNotedBesideACopyOfAnother) {
+  test::Members members = test::unzipped(filled_in(planned(), {"pass"}, "South"));
+  std::string& sheets = members["xl/workbook.xml"];
+  const auto tab = [&](const std::string& name) {
+    const std::size_t begin = sheets.find("<sheet name=\"" + name + "\"");
+    return sheets.substr(begin, sheets.find("/>", begin) + 2 - begin);
+  };
+  std::string copy = tab("South");
+  copy.replace(copy.find("South"), 5, "Copy of South");
+  const std::string north = tab("North");
+  sheets.replace(sheets.find(north), north.size(), copy);
+  EXPECT_THAT(opened(test::zipped(members)).notes,
+              Contains("parts: 3 sheets for 3 benches, none with tests of North; put back a sheet "
+                       "that had results"));
+}
+
+// The column bench is gone: the tabs say it.
+TEST_F(BenchWorkbook, TabsSayWhoseTestsTheyHave) {
+  const std::string bytes = filled_in(planned(), {"pass"}, "South");
+  test::Members members = test::unzipped(bytes);
+  std::string& sheet = members[test::member_of(bytes, "South")];
+  for (std::size_t at = 0; (at = sheet.find("<c r=\"A", at)) != std::string::npos;) {
+    sheet.erase(at, sheet.find("</c>", at) + 4 - at);
+  }
+  const CheckedJobRequest again = checked_job(opened(test::zipped(members)), Door::document);
+  ASSERT_EQ(again->record.tests.size(), 1U);
+  EXPECT_EQ(again->record.tests[0].bench, "South");
+  EXPECT_THAT(again->notes,
+              Contains(HasSubstr(":South: tests without a bench are those of South")));
+}
+
 TEST_F(BenchWorkbook, ResultsStandWithTheirBench) {
   const std::string bytes =
       filled_in(filled_in(planned(), {"pass"}, "North"), {"fail", "ok"}, "South");

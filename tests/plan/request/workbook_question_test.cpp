@@ -242,6 +242,30 @@ TEST_F(RunSheetWorkbook, OptionsWinOverItsQuestion) {
   EXPECT_EQ(checked_job(opened(bytes, other), Door::document)->record.tests.size(), 1U);
 }
 
+// A place broke: what was tested counts, and new tests have one part less.
+TEST_F(RunSheetWorkbook, TestsWithMorePartsThanFitNowCount) {
+  const std::string bytes = filled_in(planned(), {"pass"});
+  const Block first = answer.plan->sheet.steps[0].setup;
+  ASSERT_EQ(first.size(), 4U);
+  const CheckedJobRequest same = checked_job(opened(bytes), Door::document);
+  JobRequest less;
+  less.at_once = 3;
+  const OpenedRequest again = opened(bytes, less);
+  const CheckedJobRequest now = checked_job(again, Door::document);
+  EXPECT_EQ(now->job->tests_done, 1U);
+  EXPECT_EQ(now->job->needed.size(), same->job->needed.size());
+  EXPECT_EQ(now->job->start.size(), 3U);
+  EXPECT_THAT(now->notes,
+              testing::Contains(HasSubstr("1 test had more parts than fit at once now, as that in "
+                                          "row 2 with 4; it counts as done")));
+  EXPECT_THAT(now->notes, testing::Contains(HasSubstr("of the last test had no room any more")));
+  planned(again);
+  for (const RunStep& step : answer.plan->sheet.steps) {
+    EXPECT_LE(step.setup.size(), 3U);
+  }
+  EXPECT_TRUE(answer.plan->sheet.does_the_job());
+}
+
 // As long as nothing is done there is nothing to trust; the wish is kept for then.
 TEST_F(RunSheetWorkbook, TrustsTestsThatFailFromWorkbookToWorkbook) {
   request.trust_failed = true;

@@ -90,10 +90,9 @@ TEST(ReadDone, ADamagedSheetIsRefusedWhereItIsDamaged) {
   EXPECT_EQ(complaint(head + "1,a,b,c,pass\n2,a,b,\n"), "");
   EXPECT_THAT(complaint(head + "1,a,b\n"), testing::StartsWith("d.csv:2:5: the row ends before"));
   EXPECT_THAT(complaint(head + "1,a,b,c,pass,x\n"), testing::HasSubstr("more fields than the 5"));
-  EXPECT_THAT(complaint(head + "1,a,b,c,\n" + head),
-              testing::StartsWith("d.csv:3:1: a second header"));
+  EXPECT_EQ(complaint(head + "1,a,b,c,\n" + head), "") << "the heads again are no damage";
   EXPECT_THAT(complaint("step,slot_1,slot_2,result,Result\n1,a,b,pass,fail\n"),
-              testing::HasSubstr("two columns are called 'Result'"));
+              testing::HasSubstr("two columns are called 'result' and 'Result'"));
 }
 
 TEST(ReadDone, NoNumberBecomesAnotherPart) {

@@ -259,6 +259,17 @@ bool heads_results(std::string_view text) {
   return has_one_of(heading_words(text), all);
 }
 
+bool heads_occasions(std::string_view text) {
+  constexpr auto all = std::to_array<std::string_view>(
+      {"date",     "dates",   "day",       "time",     "when",     "datum",    "tag",
+       "zeit",     "uhrzeit", "wann",      "jour",     "heure",    "quand",    "fecha",
+       "día",      "dia",     "hora",      "cuándo",   "data",     "giorno",   "ora",
+       "quando",   "dag",     "tijd",      "日付",     "日時",     "日期",     "时间",
+       "날짜",     "시간",    "tester",    "operator", "by",       "initials", "prüfer",
+       "bediener", "kürzel",  "opérateur", "operador", "operatore"});
+  return has_one_of(heading_words(text), all);
+}
+
 bool heads_steps(std::string_view text) {
   constexpr auto all = std::to_array<std::string_view>(
       {"step", "steps", "test", "tests", "schritt", "étape", "etape", "paso", "passo", "stap",

@@ -44,6 +44,8 @@ namespace changeover {
 
 /// The results of tests: "result", "Result (pass/fail)", "Ergebnis", "Verdict".
 [[nodiscard]] bool heads_results(std::string_view text);
+/// When or by whom a test was run, which is no result: "Date", "Uhrzeit", "Operator".
+[[nodiscard]] bool heads_occasions(std::string_view text);
 /// The numbers of steps or tests: "step", "Test no.", "Schritt".
 [[nodiscard]] bool heads_steps(std::string_view text);
 

@@ -1,12 +1,14 @@
 // Removes tests that were done from a job.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/run/control.hpp"
+#include "core/contains.hpp"
 #include "plan/job/choices.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/setups/setup_list.hpp"
@@ -75,6 +77,18 @@ void Meetings::add_hidden(const Block& setup, Element hiding) {
   }
 }
 
+Block what_stays(const Job& job, const Block& setup, std::optional<std::uint64_t> room) {
+  Block kept = setup;
+  std::uint64_t left = room.value_or(job.at_once);
+  if (kept.size() > left) {
+    const auto is_needed = [&](Element x) { return contains(job.mounted, x); };
+    const auto needed = static_cast<std::uint64_t>(std::ranges::count_if(kept, is_needed));
+    left -= std::min(left, needed);
+    std::erase_if(kept, [&](Element x) { return !is_needed(x) && (left == 0 || left-- == 0); });
+  }
+  return kept;
+}
+
 void mark_done(Job& job, const std::vector<Block>& setups) {
   std::vector<DoneTest> tests;
   tests.reserve(setups.size());
@@ -95,12 +109,6 @@ void mark_tested(Job& job, const std::vector<DoneTest>& tests, FailedTests faile
     stop_if_asked();
     if (test.result == TestResult::not_run) {
       continue;
-    }
-    if (test.setup.size() > job.at_once) {
-      throw BadInput(
-          fmt::format("a test that was done has {} parts, but only {} fit at once; write it as "
-                      "several tests, or let more fit",
-                      test.setup.size(), job.at_once));
     }
     (is_in_doubt(test.result) ? in_doubt : sure).add(job, test.setup);
     last = &test;
@@ -130,7 +138,7 @@ void mark_tested(Job& job, const std::vector<DoneTest>& tests, FailedTests faile
   job.trust_failed = trusted;
   job.tests_done += count;
   if (job.start.empty() && last != nullptr) {
-    job.start = last->setup;
+    job.start = what_stays(job, last->setup);
   }
 }
 

@@ -61,7 +61,10 @@ bool heads_a_setup(std::string_view head) {
 std::optional<std::size_t> column_after_figures(const Heads& heads,
                                                 const std::vector<bool>& taken) {
   const auto last = std::ranges::find_if(heads.rbegin(), heads.rend(), is_own(&OwnHead::is_figure));
-  const auto column = static_cast<std::size_t>(heads.rend() - last);
+  auto column = static_cast<std::size_t>(heads.rend() - last);
+  while (column < heads.size() && heads_occasions(heads[column])) {
+    ++column;
+  }
   const bool is_free = column < heads.size() && lower_case(heads[column]) != "notes" &&
                        (column >= taken.size() || !taken[column]);
   return is_free && std::ranges::any_of(heads, is_own(&OwnHead::counts_new)) ? std::optional(column)

@@ -29,6 +29,11 @@ namespace changeover {
 /// nullopt if it may.
 [[nodiscard]] std::optional<std::string> setup_defect(const Job& job, const Block& setup);
 
+/// What remains mounted of the last set-up that was done if fewer parts fit now: the parts that
+/// stay mounted, and then its first ones. `room` is that of the job if it is not given.
+[[nodiscard]] Block what_stays(const Job& job, const Block& setup,
+                               std::optional<std::uint64_t> room = {});
+
 /// Records which pairs and, on request, which triples of parts were in one set-up. A set-up takes
 /// O(k · v/64), with triples O(k² · v/64), so that a long list takes time proportional to its
 /// pairs.

@@ -45,6 +45,11 @@ std::optional<std::uint64_t> gap_in_numbers(const std::vector<DonePlace>& places
   return std::nullopt;
 }
 
+// Whether a row has something in a place: a part, one that is gone, or the value without a name.
+bool is_there(const DoneRow& row, std::size_t place) {
+  return !row.written[place].empty() || row.in_place[place];
+}
+
 bool is_figure_of_pairs(const std::string& text) {
   constexpr std::size_t most_digits = 18;
   return !text.empty() && text.size() <= most_digits && std::ranges::all_of(text, is_digit);
@@ -96,10 +101,28 @@ Block SheetEvidence::parts_in(const Row& row, std::optional<std::size_t> column,
   return parts;
 }
 
+// The same if all that it names are parts; nothing without such a column.
+std::optional<Block> SheetEvidence::all_parts_in(const Row& row, std::optional<std::size_t> column,
+                                                 const FindPart& find) const {
+  if (!column) {
+    return std::nullopt;
+  }
+  bool are_parts = true;
+  const Block parts = parts_in(row, column, [&](const std::string& word) {
+    const auto part = find(word);
+    are_parts = are_parts && part.has_value();
+    return part;
+  });
+  const bool says_some = *column < row.size() && !row[*column].text.empty();
+  return are_parts && parts.empty() != says_some ? std::optional(parts) : std::nullopt;
+}
+
 // More new pairs than there are pairs in the set-up.
 void SheetEvidence::doubt_figures(const Row& row, const DoneRow& done, Doubt& doubt) const {
-  const auto there = static_cast<std::uint64_t>(
-      std::ranges::count_if(done.written, [](const std::string& text) { return !text.empty(); }));
+  std::uint64_t there = 0;
+  for (std::size_t i = 0; i < done.written.size(); ++i) {
+    there += is_there(done, i) ? 1U : 0U;
+  }
   const auto look = [&](std::optional<std::size_t> column, std::uint64_t of,
                         std::string_view what) {
     if (!column || *column >= row.size() || !is_figure_of_pairs(row[*column].text) ||
@@ -116,13 +139,25 @@ void SheetEvidence::doubt_figures(const Row& row, const DoneRow& done, Doubt& do
 }
 
 void SheetEvidence::take(const Row& row, const DoneRow& done, const FindPart& find) {
+  largest_ = std::max(largest_, done.setup.size() + done.gone.size());
+  std::vector<Field> cells;
+  for (std::size_t i = 0; i < columns_->slots.size() && columns_->slots[i] < row.size(); ++i) {
+    cells.push_back(Field{.text = {}, .offset = row[columns_->slots[i]].offset});
+  }
+  emptied_.take(
+      done, cells,
+      {.out = all_parts_in(row, take_out_, find), .in = all_parts_in(row, put_in_, find)});
   Doubt doubt{.line = done.line, .at = {}, .what = {}, .put_in = {}, .empty = {}};
   for (std::size_t i = 0; i < done.written.size(); ++i) {
-    if (done.written[i].empty()) {
+    if (!is_there(done, i)) {
       doubt.empty.push_back(i);
     } else {
       is_used_[i] = true;
     }
+  }
+  if (!columns_->parameters.empty() && !doubt.empty.empty() && !done.result.empty()) {
+    const std::size_t at = columns_->slots[doubt.empty.front()];
+    first_open_ = open_rows_++ == 0 ? at < row.size() ? row[at] : row.back() : first_open_;
   }
   doubt_figures(row, done, doubt);
   doubt.put_in = parts_in(row, put_in_, find);
@@ -185,6 +220,18 @@ void SheetEvidence::judge_heads(DoneList& list) const {
                     "not count",
                     reader_->place(head), *gap));
   }
+  const bool is_planned =
+      shape_of(each_of<std::string>(*header_, &Field::text)) == SheetShape::steps;
+  const bool has_all_places = is_planned && !put_in_ && !columns_->bench && !list.rows.empty();
+  for (std::size_t i = 0; i < is_used_.size() && has_all_places; ++i) {
+    if (!is_used_[i]) {
+      const Field& head = (*header_)[columns_->slots[i]];
+      list.notes.push_back(fmt::format(
+          "{}: no row has a part in the column {}; if it was emptied, fill it in: its parts do not "
+          "count",
+          reader_->place(head), shown(head.text)));
+    }
+  }
   if (!gap && !has_slots && !put_in_ && columns_->slots.size() < room_) {
     list.notes.push_back(
         fmt::format("{}: {} of parts, and {} fit at once; if a column is missing, put it back",
@@ -207,6 +254,12 @@ void SheetEvidence::judge_parameters(DoneList& list) const {
         "{}: no column has the values of {}, whose pairs do not count; add one if they were set",
         reader_->place((*header_)[columns_->slots.front()]), joined(without, shown)));
   }
+  if (open_rows_ > 0) {
+    list.notes.push_back(fmt::format(
+        "{}: no value is here{}; what was tested with it does not count: write it if it was set",
+        reader_->place(first_open_),
+        open_rows_ == 1 ? "" : fmt::format(", as in {}", count_of(open_rows_ - 1, "other row"))));
+  }
 }
 
 void SheetEvidence::judge(DoneList& list) const {
@@ -226,12 +279,13 @@ void SheetEvidence::judge(DoneList& list) const {
     }
     const bool counts = !has_results || !list.rows[at].result.empty();
     const bool is_changed = doubt.keeps_old || !list.rows[at].gone.empty();  // by the user
-    const bool is_short = list.rows[at].setup.size() < room_;
+    const bool is_short = list.rows[at].setup.size() < std::max<std::size_t>(room_, largest_);
     if (counts && (!is_full || (!is_changed && is_short))) {
       others += some == nullptr ? 0U : 1U;
       some = some == nullptr ? &doubt : some;
     }
   }
+  emptied_.judge(list, *finder_, *reader_);
   if (some != nullptr) {
     list.notes.push_back(fmt::format(
         "{}: {}{}; what a test lacks does not count with it: write it in its column if it was "

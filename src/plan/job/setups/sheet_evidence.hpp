@@ -13,6 +13,7 @@
 #include "changeover/plan/job.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/job/setups/emptied_cells.hpp"
 #include "plan/job/setups/setup_columns.hpp"
 
 namespace changeover {
@@ -48,6 +49,8 @@ class SheetEvidence {
 
   [[nodiscard]] Block parts_in(const Row& row, std::optional<std::size_t> column,
                                const FindPart& find) const;
+  [[nodiscard]] std::optional<Block> all_parts_in(const Row& row, std::optional<std::size_t> column,
+                                                  const FindPart& find) const;
   void doubt_figures(const Row& row, const DoneRow& done, Doubt& doubt) const;
   [[nodiscard]] bool is_unexplained(const Doubt& doubt, const DoneList& list, std::size_t at) const;
   void judge_heads(DoneList& list) const;
@@ -62,9 +65,13 @@ class SheetEvidence {
   std::optional<std::size_t> put_in_;
   std::optional<std::size_t> pairs_;
   std::optional<std::size_t> triples_;
-  std::vector<bool> is_used_;  // by column of parts: whether a row has a part there
-  bool is_proved_ = false;     // some row names the parts that are put in
+  std::vector<bool> is_used_;    // by column of parts: whether a row has a part there
+  bool is_proved_ = false;       // some row names the parts that are put in
+  std::size_t largest_ = 0;      // the most parts of a row: more may have fitted then
+  std::uint64_t open_rows_ = 0;  // with results of a model, without some value
+  Field first_open_;             // the first of their empty cells
   std::vector<Doubt> doubts_;
+  EmptiedCells emptied_;
 };
 
 }  // namespace changeover

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "core/each.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "plan/job/parts/heading_words.hpp"
@@ -112,6 +113,65 @@ void StepNumbers::put_in_order(DoneList& list, const Row& header, const SetupCol
                     "of this column",
                     reader.place(head)));
   }
+}
+
+namespace {
+
+// The places of rows of a bench by their steps; nothing if these say no order.
+using Placed = std::vector<std::pair<std::uint64_t, std::size_t>>;
+
+std::optional<Placed> by_steps(const std::vector<DoneRow>& rows,
+                               const std::vector<std::vector<std::size_t>>& sheets) {
+  Placed placed;
+  for (const std::vector<std::size_t>& sheet : sheets) {
+    std::set<std::uint64_t> seen;
+    std::optional<std::uint64_t> last;
+    for (const std::size_t i : sheet) {
+      const auto step = rows[i].step;
+      if ((!step && !last) || (step && !seen.insert(*step).second)) {
+        return std::nullopt;
+      }
+      last = step ? step : last;
+      placed.emplace_back(*last, i);
+    }
+  }
+  return placed;
+}
+
+}  // namespace
+
+bool put_sheets_in_order(std::vector<DoneRow>& rows, const std::vector<std::size_t>& begins) {
+  std::map<std::string, std::vector<std::vector<std::size_t>>> by_bench;
+  std::size_t sheet = 0;
+  for (std::size_t i = begins.empty() ? rows.size() : begins.front(); i < rows.size(); ++i) {
+    while (sheet + 1 < begins.size() && begins[sheet + 1] <= i) {
+      ++sheet;
+    }
+    auto& of_bench = by_bench[rows[i].bench];
+    of_bench.resize(begins.size());
+    of_bench[sheet].push_back(i);
+  }
+  bool is_moved = false;
+  for (const auto& [bench, sheets] : by_bench) {
+    auto placed = by_steps(rows, sheets);
+    const auto before = [](const auto& a, const auto& b) { return a.first < b.first; };
+    if (!placed || std::ranges::is_sorted(*placed, before)) {
+      continue;
+    }
+    const auto at = each_of<std::size_t>(*placed, [](const auto& each) { return each.second; });
+    Placed with_results = *placed;
+    std::erase_if(with_results, [&](const auto& each) { return rows[each.second].result.empty(); });
+    is_moved = is_moved || !std::ranges::is_sorted(with_results, before);
+    std::ranges::stable_sort(*placed, before);
+    std::vector<DoneRow> sorted;
+    for (const auto& [step, i] : *placed) {
+      sorted.push_back(std::move(rows[i]));
+    }
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      rows[at[k]] = std::move(sorted[k]);
+    }
+  }
+  return is_moved;
 }
 
 // The same for the rows of a bench. A number that occurs twice says nothing about the order; the

@@ -76,6 +76,17 @@ std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
 
 }  // namespace
 
+std::vector<std::string> bench_sheet_names(const std::vector<Bench>& benches) {
+  std::set<std::string> taken{
+      "plan",      "parts",  "slots", "never", "done", "benches", "changeover-question",
+      "run sheet", "history"};  // Excel has a use for the last
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < benches.size(); ++b) {
+    names.push_back(sheet_name(name_of(benches, b), taken));
+  }
+  return names;
+}
+
 BenchSheets::BenchSheets(const BenchDocument& document)
     : jobs(document.plan->benches.size(), *document.job) {
   const BenchPlan& plan = *document.plan;
@@ -116,9 +127,7 @@ TableDocument table_document(const BenchDocument& document) {
   made.sections.push_back(
       {.heading = "Compared", .table = compared_benches(document, money), .in = in_html});
   std::vector<ShownSheet> whole;
-  std::set<std::string> taken{
-      "plan",      "parts",  "slots", "never", "done", "benches", "changeover-question",
-      "run sheet", "history"};  // Excel has a use for the last
+  const std::vector<std::string> tabs = bench_sheet_names(plan.benches);
   for (std::size_t b = 0; b < plan.sheets.size(); ++b) {
     const RunSheet& sheet = plan.sheets[b];
     ShownSheet shown = sheets->shown[b];
@@ -131,7 +140,7 @@ TableDocument table_document(const BenchDocument& document) {
          .table = kept_with(step_table({shown}, money, options), sheets),
          .in = everywhere & ~in_csv,
          .css = "bench",
-         .sheet = sheet_name(shown.bench, taken),
+         .sheet = tabs[b],
          .sheet_head = fmt::format("{}: {}", document.title, shown.bench)});
     if (plan.benches[b].name.empty()) {
       shown.bench = std::to_string(b + 1);

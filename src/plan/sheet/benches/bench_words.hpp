@@ -27,6 +27,9 @@ namespace changeover {
 /// The summary of a plan, one line per fact.
 [[nodiscard]] std::vector<std::string> bench_summary(const BenchDocument& document);
 
+/// The names of the sheets of a workbook, one for each bench: unique, and as spreadsheets allow.
+[[nodiscard]] std::vector<std::string> bench_sheet_names(const std::vector<Bench>& benches);
+
 /// The properties of a bench: "8 hours a day", "mounted at the start: A, B"; empty if it has no
 /// separate properties.
 [[nodiscard]] std::vector<std::string> bench_facts(const BenchDocument& document,

@@ -1,0 +1,125 @@
+#include "plan/job/setups/emptied_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/contains.hpp"
+#include "core/printable.hpp"
+
+namespace changeover {
+namespace {
+
+std::optional<Element> part_in(const DoneRow* row, std::size_t place) {
+  return row != nullptr && place < row->in_place.size() ? row->in_place[place] : std::nullopt;
+}
+
+// Whether a value of the parameter of this one is among these.
+bool is_set(const Model& model, Element value, const Block& among) {
+  return std::ranges::any_of(model.parameters, [&](const ModelParameter& parameter) {
+    const auto is_of_it = [&](Element x) {
+      return x >= parameter.first && x < parameter.first + parameter.values.size();
+    };
+    return is_of_it(value) && std::ranges::any_of(among, is_of_it);
+  });
+}
+
+bool counts(const DoneRow& row, bool has_results) {
+  const TestResult said = result_of(row.result);
+  return has_results ? said != TestResult::none && said != TestResult::not_run
+                     : said != TestResult::not_run;
+}
+
+bool is_next(const DoneRow* one, const DoneRow* other) {
+  return one != nullptr && other != nullptr && one->step && other->step == *one->step + 1;
+}
+
+}  // namespace
+
+// A row, and the rows of its bench above and below it.
+struct EmptiedCells::Neighbours {
+  const DoneRow* above = nullptr;
+  const DoneRow* here = nullptr;
+  const DoneRow* below = nullptr;
+};
+
+void EmptiedCells::take(const DoneRow& done, const std::vector<Field>& cells, Changes changes) {
+  Known known{.empty = {}, .changes = std::move(changes)};
+  for (std::size_t i = 0; i < cells.size() && i < done.written.size(); ++i) {
+    if (done.written[i].empty() && !done.in_place[i]) {
+      known.empty.emplace_back(i, cells[i].offset);
+    }
+  }
+  some_are_empty_ = some_are_empty_ || !known.empty.empty();
+  rows_.emplace(done.line, std::move(known));
+}
+
+// In a test before that is as it was planned: all that is taken out here was in it.
+bool EmptiedCells::was_before(const Neighbours& rows, std::size_t place,
+                              const PartFinder& finder) const {
+  const auto part = part_in(rows.above, place);
+  if (!part || contains(rows.here->setup, *part)) {
+    return false;
+  }
+  const Changes& changes = rows_.at(rows.here->line).changes;
+  if (finder.model() != nullptr) {
+    return changes.in && !is_set(finder.model()->model(), *part, *changes.in);
+  }
+  return changes.out && !contains(*changes.out, *part) &&
+         std::ranges::all_of(*changes.out,
+                             [&](Element x) { return contains(rows.above->setup, x); });
+}
+
+bool EmptiedCells::is_after(const Neighbours& rows, std::size_t place) const {
+  const auto part = part_in(rows.below, place);
+  if (!part || contains(rows.here->setup, *part)) {
+    return false;
+  }
+  const Changes& changes = rows_.at(rows.below->line).changes;
+  return changes.in && !contains(*changes.in, *part);
+}
+
+void EmptiedCells::judge_row(const Neighbours& rows, const PartFinder& finder,
+                             const RowReader& reader) const {
+  const bool has_steps = rows.here->step.has_value();
+  for (const auto& [place, offset] : rows_.at(rows.here->line).empty) {
+    const bool before =
+        was_before(rows, place, finder) && (!has_steps || is_next(rows.above, rows.here));
+    const bool after = is_after(rows, place) && (!has_steps || is_next(rows.here, rows.below));
+    if (has_steps ? before || after : before && after) {
+      const Element part = *part_in(before ? rows.above : rows.below, place);
+      reader.fail(Field{.text = {}, .offset = offset, .line = rows.here->line},
+                  fmt::format("the cell is empty, but {} is there in the test {}; write it here{}",
+                              shown(finder.name(part)),
+                              before ? "before and nothing takes it out"
+                                     : "after it and nothing puts it in",
+                              finder.model() != nullptr ? ""
+                              : before                  ? ", or under take_out if it was taken out"
+                                       : ", or under put_in there if it was put in"));
+    }
+  }
+}
+
+void EmptiedCells::judge(const DoneList& list, const PartFinder& finder,
+                         const RowReader& reader) const {
+  if (!some_are_empty_) {
+    return;
+  }
+  const bool has_results = list.has_results();
+  std::map<std::string, Neighbours> by_bench;
+  const auto look = [&](const Neighbours& rows) {
+    if (rows.here != nullptr && counts(*rows.here, has_results)) {
+      judge_row(rows, finder, reader);
+    }
+  };
+  for (const DoneRow& row : list.rows) {
+    Neighbours& rows = by_bench[row.bench];
+    rows = {.above = rows.here, .here = rows.below, .below = &row};
+    look(rows);
+  }
+  for (auto& [bench, rows] : by_bench) {
+    look({.above = rows.here, .here = rows.below, .below = nullptr});
+  }
+}
+
+}  // namespace changeover
