@@ -80,7 +80,8 @@ TEST_F(Runs, ResultsOfASheetThatWasReplacedAreRefused) {
 TEST_F(Runs, ResultsOfTestsThatAreNotOnTheSheetAreRefused) {
   const json sheet = {{"title", "x"}, {"tests", 17}, {"sheet", json::object()}};
   const std::string id = keep(sheet)["id"];
-  for (const char* const test : {"99", "18", "0", "017", "North 18", "North", "1 ", "-1"}) {
+  for (const char* const test :
+       {"99", "18", "0", "017", "North 18", "North", "1 ", "-1", " 1", "North  1", " North 1"}) {
     const Reply refused = result(id, {{"test", test}, {"result", "pass"}, {"sheet_revision", 1}});
     EXPECT_EQ(refused.status, 422) << test;
     EXPECT_THAT(message_of(refused), HasSubstr("is not on the sheet, which has 17 tests")) << test;
@@ -91,6 +92,18 @@ TEST_F(Runs, ResultsOfTestsThatAreNotOnTheSheetAreRefused) {
   for (const char* const test : {"17", "1", "North 17", "Bench 2 1"}) {
     EXPECT_EQ(result(id, {{"test", test}, {"result", "pass"}, {"sheet_revision", 1}}).status, 200)
         << test;
+  }
+}
+
+TEST_F(Runs, HaveNoMoreTestsThanTheirSheet) {
+  const json tests = json::array({json::array(), json::array()});
+  for (const json& sheet :
+       {json{{"outcome", {{"tests", tests}}}}, json{{"plan", {{"steps", tests}}}}}) {
+    const Reply refused =
+        act(*own_, "/api/run", json({{"title", "x"}, {"tests", 1000}, {"sheet", sheet}}).dump());
+    EXPECT_EQ(refused.status, 422);
+    EXPECT_THAT(message_of(refused), HasSubstr("tests: 1000, but the sheet has 2"));
+    EXPECT_NO_FATAL_FAILURE((void)keep({{"title", "x"}, {"tests", 2}, {"sheet", sheet}}));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "core/parsed.hpp"
@@ -134,7 +135,9 @@ void require_test(const std::string& test, std::uint64_t tests) {
   const std::string_view all = test;
   const std::string_view number = all.substr(all.rfind(' ') + 1);  // of all if there is no blank
   const auto said = parsed<std::uint64_t>(number);
-  if (!said || *said == 0 || *said > tests || number.front() == '0') {
+  const std::string_view bench = all.substr(0, all.size() - number.size());
+  const bool is_bare = bench.starts_with(' ') || bench.ends_with("  ");
+  if (!said || *said == 0 || *said > tests || number.front() == '0' || is_bare) {
     throw Refusal{422,
                   fmt::format("test: {} is not on the sheet, which has {}; write the number of a "
                               "test in its list",
@@ -142,11 +145,29 @@ void require_test(const std::string& test, std::uint64_t tests) {
   }
 }
 
+namespace {
+
+// Where the sheet of the explorer's page, or a plan on it, has its tests: not more are told of.
+void require_tests_of(const JsonNode& sheet, std::uint64_t tests) {
+  using Way = std::pair<std::string_view, std::string_view>;
+  for (const auto& [key, list] : {Way{"outcome", "tests"}, Way{"plan", "steps"}}) {
+    const JsonNode* const part = sheet.find(key);
+    const JsonNode* const found = part != nullptr && part->is_object() ? part->find(list) : nullptr;
+    if (found != nullptr && found->is_array() && tests > found->members.size()) {
+      throw Refusal{422, fmt::format("tests: {}, but the sheet has {}; write how many it has",
+                                     tests, found->members.size())};
+    }
+  }
+}
+
+}  // namespace
+
 void read_sheet(JsonBody& body, KeptRun& run) {
   const JsonNode* const sheet = body.find("sheet");
   if (sheet == nullptr || !sheet->is_object()) {
     throw Refusal{422, "sheet: write an object"};
   }
+  require_tests_of(*sheet, run.tests);
   run.sheet = json_text(*sheet);
   if (const JsonNode* const results = body.find("results")) {
     if (!results->is_array() || results->members.size() > run.tests) {
