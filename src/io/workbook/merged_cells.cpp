@@ -14,7 +14,7 @@ namespace changeover {
 namespace {
 
 constexpr std::string_view element = "mergeCell";
-constexpr std::size_t most_ranges = 1'000'000;
+constexpr std::size_t most_ranges = 100'000;
 
 // "B2:B4"; a range that is none has no row.
 MergedRange range_in(std::string_view ref) {

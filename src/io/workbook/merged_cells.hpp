@@ -14,7 +14,7 @@ namespace changeover {
 
 /// The merged ranges of a sheet of the archive, which is unpacked once more for them: in the file
 /// they stand below the rows. Messages call the sheet `place`. @throws BadInput if it cannot be
-/// read, or for more than a million ranges
+/// read, or for more than 100,000 ranges
 [[nodiscard]] std::vector<MergedRange> merged_ranges(const ZipArchive& archive,
                                                      const std::string& member,
                                                      std::uint64_t most_bytes,

@@ -68,6 +68,15 @@ TEST(MergedCells, StandForEachRowThatHasSomethingElse) {
               HasSubstr("merged cells without a range"));
 }
 
+TEST(MergedCells, AreNotWithoutEnd) {
+  std::string ranges;
+  for (int i = 0; i <= 100'000; ++i) {
+    ranges += "<mergeCell ref='D1:D5'/>";
+  }
+  EXPECT_EQ(said(merged("<row r='1'>" + cell("A1", "1") + "</row>", ranges)),
+            "f.xlsx:Run: more than 100000 merged ranges; separate these cells");
+}
+
 TEST(MergedCells, OfSeveralColumnsStandInTheFirst) {
   const std::string bytes = merged(
       "<row r='1'>" + cell("A1", "a") + cell("B1", "b") + cell("C1", "c") + "</row><row r='2'>" +

@@ -242,6 +242,37 @@ TEST_F(RunSheetWorkbook, OptionsWinOverItsQuestion) {
   EXPECT_EQ(checked_job(opened(bytes, other), Door::document)->record.tests.size(), 1U);
 }
 
+// Merged cells side by side keep one part; those of a title are none of a test.
+TEST_F(RunSheetWorkbook, MergedCellsOfPartsAreRefusedOrCount) {
+  const std::string bytes = filled_in(planned(), {"pass", "pass"});
+  const auto merged = [&](const std::string& book, const std::string& range) {
+    test::Members members = test::unzipped(book);
+    std::string& sheet = members[test::member_of(book, "Run sheet")];
+    const std::string end = "</sheetData>";
+    sheet.insert(sheet.find(end) + end.size(),
+                 "<mergeCells><mergeCell ref=\"" + range + "\"/></mergeCells>");
+    return test::zipped(members);
+  };
+  const auto without = [](const std::string& book, const std::string& place) {
+    test::Members members = test::unzipped(book);
+    std::string& sheet = members[test::member_of(book, "Run sheet")];
+    const std::size_t begin = sheet.find("<c r=\"" + place + "\"");
+    sheet.erase(begin, sheet.find("</c>", begin) + 4 - begin);
+    return test::zipped(members);
+  };
+  try {
+    static_cast<void>(checked_job(opened(merged(without(bytes, "C2"), "B2:C2")), Door::document));
+    ADD_FAILURE() << "a part is lost";
+  } catch (const BadInput& bad) {
+    EXPECT_THAT(bad.what(), HasSubstr("Run sheet!C2: the cells B2:C2 are merged, so this one is "
+                                      "empty; separate them, and write what belongs here"));
+  }
+  // One result for two tests.
+  const CheckedJobRequest again =
+      checked_job(opened(merged(without(bytes, "I3"), "I2:I3")), Door::document);
+  EXPECT_EQ(again->record.tests.size(), 2U);
+}
+
 // A place broke: what was tested counts, and new tests have one part less.
 TEST_F(RunSheetWorkbook, TestsWithMorePartsThanFitNowCount) {
   const std::string bytes = filled_in(planned(), {"pass"});

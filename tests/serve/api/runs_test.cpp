@@ -102,7 +102,8 @@ TEST_F(Runs, HaveNoMoreTestsThanTheirSheet) {
     const Reply refused =
         act(*own_, "/api/run", json({{"title", "x"}, {"tests", 1000}, {"sheet", sheet}}).dump());
     EXPECT_EQ(refused.status, 422);
-    EXPECT_THAT(message_of(refused), HasSubstr("tests: 1000, but the sheet has 2"));
+    EXPECT_THAT(message_of(refused),
+                HasSubstr("tests: 1000, but the sheet has 2; write how many it has"));
     EXPECT_NO_FATAL_FAILURE((void)keep({{"title", "x"}, {"tests", 2}, {"sheet", sheet}}));
   }
 }

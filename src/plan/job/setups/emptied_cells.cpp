@@ -6,6 +6,7 @@
 
 #include "core/contains.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -79,37 +80,51 @@ bool EmptiedCells::is_after(const Neighbours& rows, std::size_t place) const {
   return changes.in && !contains(*changes.in, *part);
 }
 
+// The same part before and after, and nothing that says what was taken out.
+bool EmptiedCells::is_doubtful(const Neighbours& rows, std::size_t place) const {
+  const auto part = part_in(rows.above, place);
+  return part && part == part_in(rows.below, place) && !contains(rows.here->setup, *part) &&
+         !rows_.at(rows.here->line).changes.out;
+}
+
 void EmptiedCells::judge_row(const Neighbours& rows, const PartFinder& finder,
-                             const RowReader& reader) const {
+                             const RowReader& reader, std::vector<std::string>& doubts) const {
   const bool has_steps = rows.here->step.has_value();
   for (const auto& [place, offset] : rows_.at(rows.here->line).empty) {
     const bool before =
         was_before(rows, place, finder) && (!has_steps || is_next(rows.above, rows.here));
     const bool after = is_after(rows, place) && (!has_steps || is_next(rows.here, rows.below));
+    const Field cell{.text = {}, .offset = offset, .line = rows.here->line};
     if (has_steps ? before || after : before && after) {
       const Element part = *part_in(before ? rows.above : rows.below, place);
-      reader.fail(Field{.text = {}, .offset = offset, .line = rows.here->line},
-                  fmt::format("the cell is empty, but {} is there in the test {}; write it here{}",
-                              shown(finder.name(part)),
-                              before ? "before and nothing takes it out"
-                                     : "after it and nothing puts it in",
-                              finder.model() != nullptr ? ""
-                              : before                  ? ", or under take_out if it was taken out"
-                                       : ", or under put_in there if it was put in"));
+      reader.fail(
+          cell, fmt::format(
+                    "the cell is empty, but {} is there in the test {}; write it here{}",
+                    shown(finder.name(part)),
+                    before ? "before and nothing takes it out" : "after it and nothing puts it in",
+                    finder.model() != nullptr ? ""
+                    : before                  ? ", or under take_out if it was taken out"
+                                              : ", or under put_in there if it was put in"));
+    }
+    const bool is_between =
+        !has_steps || (is_next(rows.above, rows.here) && is_next(rows.here, rows.below));
+    if (is_between && is_doubtful(rows, place)) {
+      doubts.push_back(fmt::format("{}: the cell is empty, and {}", reader.place(cell),
+                                   shown(finder.name(*part_in(rows.above, place)))));
     }
   }
 }
 
-void EmptiedCells::judge(const DoneList& list, const PartFinder& finder,
-                         const RowReader& reader) const {
+void EmptiedCells::judge(DoneList& list, const PartFinder& finder, const RowReader& reader) const {
   if (!some_are_empty_) {
     return;
   }
   const bool has_results = list.has_results();
   std::map<std::string, Neighbours> by_bench;
+  std::vector<std::string> doubts;
   const auto look = [&](const Neighbours& rows) {
     if (rows.here != nullptr && counts(*rows.here, has_results)) {
-      judge_row(rows, finder, reader);
+      judge_row(rows, finder, reader, doubts);
     }
   };
   for (const DoneRow& row : list.rows) {
@@ -119,6 +134,14 @@ void EmptiedCells::judge(const DoneList& list, const PartFinder& finder,
   }
   for (auto& [bench, rows] : by_bench) {
     look({.above = rows.here, .here = rows.below, .below = nullptr});
+  }
+  if (!doubts.empty()) {
+    list.notes.push_back(fmt::format(
+        "{} is there in the tests before and after{}; write it here if it was there in this one",
+        doubts.front(),
+        doubts.size() == 1
+            ? ""
+            : fmt::format(", as with {}", count_of(doubts.size() - 1, "other empty cell"))));
   }
 }
 

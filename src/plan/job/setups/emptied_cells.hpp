@@ -29,9 +29,10 @@ class EmptiedCells {
 
   /// Once all rows are in their order. A part that is in the place of an empty cell in the test
   /// before, and is not taken out, or in the test after, and is not put in, was there. Only the
-  /// step before and the step after say so; without numbers both have to. For a model, a value
+  /// step before and the step after say so; without numbers both have to. Where nothing says what is
+  /// taken out, a note names the cell of a part that is there before and after. For a model, a value
   /// that is put in takes out that of its parameter. O(rows · log rows · places) @throws BadInput with the cell
-  void judge(const DoneList& list, const PartFinder& finder, const RowReader& reader) const;
+  void judge(DoneList& list, const PartFinder& finder, const RowReader& reader) const;
 
  private:
   struct Known {
@@ -43,7 +44,9 @@ class EmptiedCells {
   [[nodiscard]] bool was_before(const Neighbours& rows, std::size_t place,
                                 const PartFinder& finder) const;
   [[nodiscard]] bool is_after(const Neighbours& rows, std::size_t place) const;
-  void judge_row(const Neighbours& rows, const PartFinder& finder, const RowReader& reader) const;
+  void judge_row(const Neighbours& rows, const PartFinder& finder, const RowReader& reader,
+                 std::vector<std::string>& doubts) const;
+  [[nodiscard]] bool is_doubtful(const Neighbours& rows, std::size_t place) const;
 
   std::map<std::uint64_t, Known> rows_;  // by line
   bool some_are_empty_ = false;

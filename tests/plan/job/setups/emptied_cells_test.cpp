@@ -61,6 +61,22 @@ TEST(EmptiedCells, WhatMayBeIsTaken) {
               HasSubstr("d.csv:3:9: the cell is empty, but 'C' is there in the test before"));
 }
 
+// Workbooks with slots do not say what is taken out.
+TEST(EmptiedCells, BetweenTwoOfOnePartAreNoted) {
+  const auto notes = [](const std::string& rows) {
+    return read_done(
+               *input_from_text("step,slot_1 CPU,slot_2 NIC,new_pairs,result\n" + rows, "d.csv"),
+               names, 2)
+        .notes;
+  };
+  EXPECT_THAT(notes("1,A,C,1,pass\n2,,C,0,pass\n3,A,,0,pass\n4,A,C,0,pass\n"),
+              ElementsAre("d.csv:3:3: the cell is empty, and 'A' is there in the tests before and "
+                          "after, as with 1 other empty cell; write it here if it was there in "
+                          "this one"));
+  EXPECT_THAT(notes("1,A,C,1,pass\n2,,C,0,pass\n3,B,C,1,pass\n"), IsEmpty());
+  EXPECT_THAT(notes("1,A,C,1,pass\n3,,C,0,pass\n4,A,C,1,pass\n"), IsEmpty());
+}
+
 TEST(EmptiedCells, OfAModelAreRefusedOrNoted) {
   const Job job = test::job_of_text("OS: Win, Deb\nLog: On, Off\nNet: x, y\n");
   const auto read = [&](const std::string& text) {
