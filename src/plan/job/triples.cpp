@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
@@ -36,12 +37,20 @@ bool is_of_three_parameters(const Job& job, const Triple& t) {
                       }) <= 1;
 }
 
+// Of a triple with a value out of range, only the pairs of that value: a test of the triple hides
+// the third.
 void need_their_pairs(Job& job) {
   job.needed = PairSet(job.parts());
   for (const Triple& t : job.triples) {
-    job.needed.insert(t[0], t[1]);
-    job.needed.insert(t[0], t[2]);
-    job.needed.insert(t[1], t[2]);
+    const std::optional<Element> hiding = out_of_range(job, t);
+    const auto need = [&](Element x, Element y) {
+      if (!hiding || x == *hiding || y == *hiding) {
+        job.needed.insert(x, y);
+      }
+    };
+    need(t[0], t[1]);
+    need(t[0], t[2]);
+    need(t[1], t[2]);
   }
 }
 
