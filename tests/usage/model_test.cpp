@@ -184,7 +184,7 @@ TEST(ModelUsage, WhatMeansNothingIsRefused) {
   expect(
       {{plan + " --items 5 -k 3", 2, "--items N has no meaning with --model; leave it out"},
        {plan + " -k 3", 2, "--at-once K has no meaning with --model"},
-       {plan + " --benches 2", 2, "--benches BENCHES has no meaning with --model"},
+       {plan + " --benches 2 --objective tests", 2, "--objective tests is for one bench"},
        {plan + " --shuffle 3", 2, "--shuffle SEED has no meaning with --model"},
        {plan + " --objective makespan", 2, "--objective makespan is for several benches"},
        {plan + " --strength 4", 2, "--strength 4: give 2, for pairs, or 3, for triples"},
@@ -196,6 +196,46 @@ TEST(ModelUsage, WhatMeansNothingIsRefused) {
         "none.txt:6: no test obeys this rule and those before it: [OS] <> \"Windows\"; change one of them"},
        {"$changeover plan --model m.txt --objective tests -o m.txt", 2, "m.txt"}},
       folder);
+}
+
+// What only a test with a value out of range could have of a triple is no pair that is needed.
+TEST(ModelUsage, TriplesWithAValueOutOfRangeAreTested) {
+  const TemporaryFolder folder;
+  spit(folder.file("m.txt"),
+       "A: a, b\nB: c, d\nC: e, ~f\nIF [A] = \"a\" AND [B] = \"c\" THEN [C] <> \"e\";\n");
+  expect({{"$changeover plan --model m.txt --test-cost 1 --change-cost 1 --strength 3" + few, 0,
+           "7 of 7 needed triples tested"}},
+         folder);
+}
+
+// Machines of a model: their sheets, what they lack, results, and a machine that is down.
+TEST(ModelUsage, TestsAreSharedBetweenMachines) {
+  const TemporaryFolder folder;
+  spit(folder.file("m.txt"), browsers);
+  spit(folder.file("b.csv"),
+       "bench,without,start\nNorth,Windows,\nSouth,\"OS: Debian\",\"Fedora,Edge\"\n");
+  const std::string plan =
+      "$changeover plan --model m.txt --test-cost 2 --change-cost 1 --benches b.csv" + few + " ";
+  const auto first = answer_of(plan + "--json", folder);
+  EXPECT_EQ(first["pairs_tested"], first["pairs_needed"]);
+  EXPECT_EQ(first["rules"], 1);
+  for (const auto& sheet : first["sheets"]) {
+    for (const auto& step : sheet["steps"]) {
+      EXPECT_NE(step["values"]["OS"], sheet["name"] == "North" ? "Windows" : "Debian");
+      EXPECT_TRUE(step["values"]["Browser"] != "Edge" || step["values"]["OS"] == "Windows");
+    }
+  }
+  expect({{plan, 0, "South: set at the start: Fedora, Edge; cannot have: Debian"},
+          {plan + "--format csv -o run.csv && sed -e '2s/,$/,pass/' run.csv > done.csv && " + plan +
+               "--done done.csv",
+           0, "North: set at the start: "},
+          {plan + "-o run.xlsx && $changeover plan run.xlsx" + few, 0,
+           "run.xlsx: the question is that of its hidden sheet"},
+          {"sed -e '1s/$/,down/' -e '2s/$/,yes/' -e '3s/$/,/' b.csv > down.csv && "
+           "$changeover plan --model m.txt --test-cost 2 --change-cost 1 --benches down.csv" +
+               few,
+           0, "pairs cannot meet on any bench that works and need not: Debian and "}},
+         folder);
 }
 
 TEST(ModelUsage, TheSameAtEveryNumberOfThreads) {

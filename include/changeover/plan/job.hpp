@@ -196,6 +196,7 @@ struct Job {
   /// The model of the job: parts are its values, slots its parameters; every set-up follows its
   /// rules.
   std::shared_ptr<const Model> model;
+  Block barred;  ///< values of the model that no set-up may have: a bench lacks them
 
   std::vector<std::uint64_t>
       quantities;  ///< by part: how many pieces several benches share, or enough_for_all;

@@ -13,6 +13,7 @@
 #include "core/contains.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
+#include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/setups/setup_list.hpp"
@@ -84,8 +85,25 @@ class Holding {
   std::vector<bool> joins_;  // by part: nothing that stays mounted is against it
 };
 
+// The same for values of a model, by its rules.
+void keep_possible_values(Job& own) {
+  drop_needed(own, apart_in_choices(own));
+  if (own.triples.empty()) {
+    return;
+  }
+  own.triples = together_in_choices(own, own.triples);
+  if (own.triples.empty()) {
+    own.needed = PairSet(own.parts());
+  }
+  drop_met_triples(own, Meetings(own.parts(), true));  // their pairs only
+}
+
 // Keeps only pairs that can meet on this bench.
 void keep_possible(Job& own) {
+  if (own.model != nullptr) {
+    keep_possible_values(own);
+    return;
+  }
   const Holding holding(own);
   PairSet pairs(own.parts());
   own.needed.for_each(all_of_them, [&](Element x, Element y) {
@@ -120,6 +138,14 @@ Job whole_job_of_bench(const Job& job, const Bench& bench) {
   own.last_step = bench.last_step;
   limit_slots(own, bench);
   const std::vector<bool> barred = barred_parts(job, bench);
+  if (own.model != nullptr) {
+    for (Element x = 0; x < barred.size(); ++x) {
+      if (barred[x]) {
+        own.barred.push_back(x);
+      }
+    }
+    return own;
+  }
   if (contains(barred, true)) {
     own.slot_of.resize(own.names.size(), no_slot);
     for (std::size_t x = 0; x < barred.size(); ++x) {
@@ -158,6 +184,27 @@ Job without_empty_slots(Job own) {
   return own;
 }
 
+// What a bench cannot be asked where the parts are the values of a model.
+std::optional<std::string> defect_with_model(const Job& job, const Bench& bench) {
+  if (bench.at_once || !bench.slots.empty()) {
+    return fmt::format(
+        "its column {} has no meaning with a model, of whose parameters every test has one value "
+        "each; write what the bench lacks in the column without",
+        bench.at_once ? "at_once" : "slots");
+  }
+  const std::vector<bool> barred = barred_parts(job, bench);
+  for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
+    bool some = false;
+    for (Element x = 0; x < job.parts(); ++x) {
+      some = some || (job.slot_of[x] == s && !barred[x]);
+    }
+    if (!some) {
+      return fmt::format("it has no value of {}; let it have one", shown(job.slots[s].name));
+    }
+  }
+  return std::nullopt;
+}
+
 // What is wrong with one bench, for any needed pairs.
 std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
   for (const Block* parts : {&bench.own, &bench.without}) {
@@ -170,6 +217,11 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
   for (const Element x : bench.own) {
     if (contains(bench.without, x)) {
       return fmt::format("{} is in its columns own and without; remove it from one", job.names[x]);
+    }
+  }
+  if (job.model != nullptr) {
+    if (auto defect = defect_with_model(job, bench)) {
+      return defect;
     }
   }
   if (bench.hours && bench.hours->millionths == 0) {
@@ -327,8 +379,10 @@ std::vector<std::string> bench_defects(const Job& job, const std::vector<Bench>&
   Job any = job;  // the conditions that hold on every bench
   any.needed = PairSet(any.parts());
   any.triples.clear();
-  any.slots.clear();
-  any.slot_of.clear();
+  if (any.model == nullptr) {  // else slots are the parameters, of any bench
+    any.slots.clear();
+    any.slot_of.clear();
+  }
   any.mounted.clear();
   any.start.clear();
   any.first.clear();

@@ -66,7 +66,7 @@ std::optional<BenchColumn> bench_column(std::string_view text) {
 
 class BenchReader {
  public:
-  BenchReader(Input& input, const std::vector<std::string>& names, std::vector<std::string>* gone)
+  BenchReader(Input& input, const PartNames& names, std::vector<std::string>* gone)
       : rows_(input), finder_(names, numbers_in(rows_)), gone_(gone) {}
 
   // The heads of columns that say nothing of benches.
@@ -291,7 +291,7 @@ Amount parse_measure(std::string_view text, std::string_view what) {
 
 const std::vector<std::string_view>& bench_columns() { return row_keys(RowShape::benches); }
 
-std::vector<Bench> read_benches(Input& input, const std::vector<std::string>& names,
+std::vector<Bench> read_benches(Input& input, const PartNames& names,
                                 std::vector<std::string>* gone, std::vector<std::string>* notes) {
   BenchReader reader(input, names, gone);
   std::vector<Bench> benches = reader.read();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "changeover/plan/benches.hpp"
+#include "plan/job/part_finder.hpp"
 
 namespace changeover {
 
@@ -24,7 +25,7 @@ namespace changeover {
 /// are left out and each name with its place is added to it once. Columns of other kinds are passed
 /// over, with a line in `notes` if that is given. @throws BadInput with a place for malformed
 /// fields, a misspelled column, more than max_benches; MissingResource if reading fails.
-[[nodiscard]] std::vector<Bench> read_benches(Input& input, const std::vector<std::string>& names,
+[[nodiscard]] std::vector<Bench> read_benches(Input& input, const PartNames& names,
                                               std::vector<std::string>* gone = nullptr,
                                               std::vector<std::string>* notes = nullptr);
 

@@ -6,6 +6,7 @@
 
 #include "changeover/plan/model.hpp"
 #include "changeover/run/control.hpp"
+#include "core/contains.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "run/random.hpp"
 
@@ -24,6 +25,9 @@ ChoiceSolver::ChoiceSolver(const Job& job) : job_(&job), rules_(*job.model) {
   });
   for (const Element x : job.mounted) {
     cnf.add({value_literal(x)});
+  }
+  for (const Element x : job.barred) {
+    cnf.add({-value_literal(x)});
   }
   in_range_ = cnf.new_variable();
   for (Element x = 0; x < job.parts(); ++x) {
@@ -79,8 +83,8 @@ std::optional<Block> ChoiceSolver::as_liked(std::span<const Element> parts,
   }
   for (std::size_t s = 0; s < row.size(); ++s) {
     const Element x = row[s];
-    if (job_->slot_of[x] != s || rules_.banned(x) || !rules_.allows(row, s, x) ||
-        (in_range && job_->model->value(x).negative)) {
+    if (job_->slot_of[x] != s || rules_.banned(x) || contains(job_->barred, x) ||
+        !rules_.allows(row, s, x) || (in_range && job_->model->value(x).negative)) {
       return std::nullopt;
     }
     for (std::size_t t = 0; t < s; ++t) {
@@ -254,8 +258,9 @@ std::optional<std::string> no_setup_of_model(const Job& job) {
     return std::nullopt;
   }
   if (impossible == 0 || !has_setup(0)) {
-    return job.mounted.empty() ? "no test is left beside what must never meet; leave a pair out"
-                               : "no test has all values that stay mounted; leave one out";
+    return !job.barred.empty()   ? "no test is left of what it has; let it have more values"
+           : job.mounted.empty() ? "no test is left beside what must never meet; leave a pair out"
+                                 : "no test has all values that stay mounted; leave one out";
   }
   for (std::size_t possible = 0; possible + 1 < impossible;) {
     const std::size_t middle = possible + (impossible - possible) / 2;
@@ -264,9 +269,9 @@ std::optional<std::string> no_setup_of_model(const Job& job) {
   const ModelConstraint& last = model.constraints[impossible - 1];
   return fmt::format("{}:{}: no test obeys this rule and those before it{}: {}; change one of them",
                      model.name, last.line,
-                     job.mounted.empty() && job.never.size() == 0
-                         ? ""
-                         : ", with what stays mounted and what must never meet",
+                     job.mounted.empty() && job.never.size() == 0 && job.barred.empty() ? ""
+                     : job.barred.empty() ? ", with what stays mounted and what must never meet"
+                                          : ", without what the bench lacks",
                      last.text);
 }
 

@@ -109,6 +109,10 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
     found.push_back(fmt::format("triples are of three parts in their order, of at most {}",
                                 max_parts_of_triples));
   }
+  if (std::ranges::any_of(job.barred, [&](Element x) { return x >= job.parts(); }) ||
+      (job.model == nullptr && !job.barred.empty())) {
+    found.push_back("what is barred are not values of the model");
+  }
   look_at(job.mounted);
   look_at(job.start);
   std::ranges::for_each(job.first, look_at);

@@ -182,7 +182,7 @@ class PartFinder {
       const std::size_t first = std::min(text.find_first_not_of(' ', begin), end);
       const std::size_t last = text.find_last_not_of(' ', end - 1);
       found.push_back(first == end ? "" : text.substr(first, last + 1 - first));
-      if (!is_name(found.back())) {
+      if (!is_name(found.back()) && !(of_model_ && find(found.back()))) {
         return {};
       }
       begin = end + 1;

@@ -18,7 +18,9 @@ namespace changeover {
 namespace {}  // namespace
 
 std::vector<Bench> listed_benches(Input& input, const OldListOptions& options) {
-  std::vector<Bench> benches = read_benches(input, *options.names, options.gone, options.notes);
+  const PartNames names =
+      options.all_values != nullptr ? PartNames(*options.all_values) : PartNames(*options.names);
+  std::vector<Bench> benches = read_benches(input, names, options.gone, options.notes);
   const PartsLeft& left = *options.left;
   for (Bench& bench : benches) {
     bench.own = left(bench.own);

@@ -13,6 +13,7 @@ namespace changeover {
 /// Options for a list that may be older than the parts list.
 struct OldListOptions {
   const std::vector<std::string>* names = nullptr;  ///< of all parts of the list
+  const Job* all_values = nullptr;                  ///< of a model: its job with all values
   const PartsLeft* left = nullptr;
   std::vector<std::string>* gone = nullptr;   ///< receives unknown names, which are left out
   std::vector<std::string>* notes = nullptr;  ///< receives what else people should know

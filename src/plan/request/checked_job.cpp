@@ -187,7 +187,11 @@ class JobMaker {
     } else {
       const auto input = question_.open("benches", asked.benches);
       benches_ = read_old(*input, [&](Input& list, const auto&, std::vector<std::string>* gone) {
-        return listed_benches(list, {&names_, &left_, gone, &notes_});
+        return listed_benches(list, {.names = &names_,
+                                     .all_values = all_values_ ? &*all_values_ : nullptr,
+                                     .left = &left_,
+                                     .gone = all_values_ ? nullptr : gone,
+                                     .notes = &notes_});
       });
       whole_.benches = bench_rows(benches_, job_);
     }
@@ -469,7 +473,8 @@ class JobMaker {
             "{} cannot meet, for slots, forbidden pairs or what stays mounted, and need not",
             count_of(apart, "triple")));
       }
-    } else if (!question_->pairs.is_given() && !job_.slots.empty() && !has_benches()) {
+    } else if (!question_->pairs.is_given() && !job_.slots.empty() &&
+               (!has_benches() || job_.model != nullptr)) {
       leave_out(cannot_meet(job_), job_.model == nullptr ? "within the slots" : "by the rules");
     }
   }
@@ -506,7 +511,7 @@ class JobMaker {
       const auto input = question_.open("first", question_->first);
       first_tests_ = input->name();
       read_old(*input, [&](Input& list, const auto&, std::vector<std::string>* gone) {
-        take_first(list, {&names_, &left_, gone}, job_, benches_);
+        take_first(list, {.names = &names_, .left = &left_, .gone = gone}, job_, benches_);
         return 0;
       });
     }

@@ -206,7 +206,8 @@ class Exact {
 
   // Classes of interchangeable parts, ignoring the start, which only the first step uses.
   void find_classes() {
-    const bool has_rules = job_->model != nullptr && !job_->model->constraints.empty();
+    const bool has_rules =
+        job_->model != nullptr && (!job_->model->constraints.empty() || !job_->barred.empty());
     const auto alike = [&](std::size_t i, std::size_t j) {
       if (has_rules) {
         return false;

@@ -182,6 +182,11 @@ class SheetCounter {
         fault(fmt::format("{} is no test of the model: {}", where(), *broken));
       }
     }
+    for (const Element x : setup) {
+      if (std::ranges::count(job_->barred, x) > 0) {
+        fault(fmt::format("{} has {}, which it may not have", where(), job_->names[x]));
+      }
+    }
     const std::size_t place = sheet_.steps.size();
     if (place < job_->first.size() && setup != sorted(*job_, job_->first[place])) {
       fault(where() + " is not the one that must be run there");

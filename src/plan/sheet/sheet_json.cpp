@@ -13,7 +13,7 @@
 #include "plan/sheet/places_json.hpp"
 #include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/sheet_words.hpp"
-#include "plan/sheet/shown_values.hpp"
+#include "plan/sheet/values_json.hpp"
 
 namespace changeover {
 namespace {
@@ -25,18 +25,6 @@ void write_figures(JsonWriter& json, const Money& money, const Candidate& candid
   json.key("pairs_tested").value(candidate.pairs_tested);
   json.key("triples_tested").value(candidate.triples_tested);
   json.key("weight").raw(to_string(candidate.weight));
-}
-
-// The parameters of a model, and the part of each value.
-void write_parameters(JsonWriter& json, const Job& job) {
-  json.objects("parameters", job.model->parameters, [&](const ModelParameter& parameter) {
-    Element part = parameter.first;
-    json.key("name").value(parameter.name);
-    json.objects("values", parameter.values, [&](const ModelValue& value) {
-      json.key("value").value(value.label).key("part").value(job.names[part++]);
-      json.key("names").value(value.names).key("out_of_range").value(value.negative);
-    });
-  });
 }
 
 // As a number, and exactly as a text: 0.625, "5/8".
@@ -103,23 +91,13 @@ std::string json_of(const SheetDocument& document) {
   write_unit(json, job);
   const PlacesInJson places({{&job, &sheet}});
   places.write_all(json);
-  std::optional<ShownValues> shown;
+  const ValuesInJson values(job, sheet);
   if (job.model != nullptr) {
-    shown.emplace(job, sheet);
-    write_parameters(json, job);
-    json.key("rules").value(job.model->constraints.size());
+    write_model(json, job);
     json.key("objective").value(plan.objective == PlanObjective::tests ? "tests" : "cost");
     json.key("proved_fewest_tests").value(plan.proved_fewest());
   }
-  const auto write_values = [&](std::size_t at) {
-    if (shown) {
-      json.key("values").begin_object();
-      for (std::size_t p = 0; p < job.model->parameters.size(); ++p) {
-        json.key(job.model->parameters[p].name).value(shown->value(at, p));
-      }
-      json.end_object();
-    }
-  };
+  const auto write_values = [&](std::size_t at) { values.write(json, at); };
   const auto write_met = [&](const RunStep& step) {
     json.list("new_pairs", step.new_pairs, [&](const auto& pair) {
       json.value(names_of(job, {pair.first, pair.second}));

@@ -59,14 +59,6 @@ std::string weight_line(const Job& job, const RunPlan& plan, const Money& money)
   return fmt::format("{}; half of it {}, nine tenths {}", met, reached(half), reached(most));
 }
 
-// "9 parts, 3 at a time", or the parameters and values of a model.
-std::string what_there_is(const Job& job) {
-  return job.model == nullptr
-             ? fmt::format("{}, {} at a time", count_of(parts_listed(job), "part"), job.at_once)
-             : fmt::format("{} with {}", count_of(job.slots.size(), "parameter"),
-                           count_of(job.parts(), "value"));
-}
-
 // How far the number of tests is above the lower bound.
 std::string tests_line(const RunPlan& plan, const std::string& all) {
   const std::uint64_t tests = plan.sheet.steps.size();
@@ -166,6 +158,21 @@ std::uint64_t new_here(const Job& job, const RunStep& step) {
   return job.triples.empty() ? step.new_pairs.size() : step.new_triples.size();
 }
 
+std::string what_there_is(const Job& job) {
+  return job.model == nullptr
+             ? fmt::format("{}, {} at a time", count_of(parts_listed(job), "part"), job.at_once)
+             : fmt::format("{} with {}", count_of(job.slots.size(), "parameter"),
+                           count_of(job.parts(), "value"));
+}
+
+std::optional<std::string> rules_line(const Job& job) {
+  if (job.model == nullptr || job.model->constraints.empty()) {
+    return std::nullopt;
+  }
+  return fmt::format("all tests follow {}, checked as they are written",
+                     count_of(job.model->constraints.size(), "rule"));
+}
+
 std::vector<std::string> summary(const SheetDocument& document) {
   const Job& job = *document.job;
   const RunPlan& plan = *document.plan;
@@ -176,9 +183,8 @@ std::vector<std::string> summary(const SheetDocument& document) {
       fmt::format("{}: {}, {}, {}", what_there_is(job), count_of(sheet.steps.size(), "test"),
                   count_of(sheet.changes, "change"), cost_words(job, money, sheet.cost)),
       tested_line(job, sheet, "")};
-  if (job.model != nullptr && !job.model->constraints.empty()) {
-    lines.push_back(fmt::format("all tests follow {}, checked as they are written",
-                                count_of(job.model->constraints.size(), "rule")));
+  if (auto rules = rules_line(job)) {
+    lines.push_back(*std::move(rules));
   }
   if (job.met_only_in_failed > 0) {
     lines.push_back(failed_line(job));

@@ -38,6 +38,12 @@ class Money {
 /// The number of parts, without further pieces.
 [[nodiscard]] std::uint64_t parts_listed(const Job& job);
 
+/// "9 parts, 3 at a time", or the parameters and values of a model.
+[[nodiscard]] std::string what_there_is(const Job& job);
+
+/// That the tests follow the rules of the model, if it has any.
+[[nodiscard]] std::optional<std::string> rules_line(const Job& job);
+
 /// "cost 117", or for times "cost 95 minutes, 1:35 on the clock".
 [[nodiscard]] std::string cost_words(const Job& job, const Money& money, Amount cost);
 

@@ -6,6 +6,7 @@
 
 #include "changeover/plan/job.hpp"
 #include "changeover/plan/model.hpp"
+#include "core/contains.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
@@ -55,6 +56,11 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
                          count_of(there, "part"), few ? "needs" : "holds at most",
                          few ? slot.least : slot.most,
                          few ? "add what it lacks" : "remove what is too much");
+    }
+  }
+  for (const Element x : setup) {
+    if (contains(job.barred, x)) {
+      return fmt::format("{} cannot be set here; change it", job.names[x]);
     }
   }
   if (job.model != nullptr) {

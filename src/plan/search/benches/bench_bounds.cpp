@@ -154,6 +154,9 @@ class BenchBounder {
       }
     }
     if (!fits) {  // set-ups outside the job are put in between: then any are allowed
+      one.model.reset();
+      one.barred.clear();
+      one.never = PairSet(one.parts());
       one.slots.clear();
       one.slot_of.clear();
       one.mounted.clear();

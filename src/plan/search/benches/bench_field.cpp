@@ -47,6 +47,9 @@ BenchField::BenchField(const Job& job, const std::vector<Bench>& benches)
       working_.push_back(i);
     }
   }
+  if (job.model != nullptr) {
+    values_ = std::make_shared<const CompiledRules>(*job.model);
+  }
   add_jobs();
   set_rules();
 }
@@ -147,7 +150,8 @@ ListsJob BenchField::lists_job(std::uint64_t tests, bool exact) const {
                .jobs = rest_,
                .weights = weights_of(rest_, tests),
                .spent = {},
-               .clock = rules_ ? &*rules_ : nullptr};
+               .clock = rules_ ? &*rules_ : nullptr,
+               .rules = values_};
   for (std::size_t w = 0; w < size(); ++w) {
     job.spent.push_back(
         static_cast<std::int64_t>(ceil_div(spent_[w].millionths, job.weights[w].unit)));

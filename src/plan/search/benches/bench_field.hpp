@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -72,6 +73,7 @@ class BenchField {
   std::vector<Amount> spent_;
   Job common_;
   std::optional<ClockRules> rules_;
+  std::shared_ptr<const CompiledRules> values_;  // of the model
   std::vector<std::uint64_t> holders_;
 };
 

@@ -15,6 +15,7 @@
 #include "plan/search/benches/bench_bounds.hpp"
 #include "plan/search/benches/bench_field.hpp"
 #include "plan/search/benches/cut_list.hpp"
+#include "plan/search/benches/some_benches.hpp"
 #include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/first_plan.hpp"
@@ -70,7 +71,9 @@ class BenchPlanner {
   [[nodiscard]] BenchBounds bounds_in_time() const {
     ShareOfTime part = part_of_the_time(0.2);
     const RunScope scope(part.control());
-    return bench_bounds(field_);
+    BenchBounds bounds = bench_bounds(field_);
+    raise_by_some_benches(field_, bounds);
+    return bounds;
   }
 
   [[nodiscard]] bool by_cost() const { return options_->objective == BenchObjective::cost; }

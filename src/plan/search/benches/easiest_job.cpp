@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/contains.hpp"
 #include "plan/job/prices.hpp"
 
 namespace changeover {
@@ -24,6 +25,7 @@ Job easiest_job(const BenchField& field) {
     std::erase_if(easiest.mounted, [&](Element m) {
       return std::ranges::find(other.mounted, m) == other.mounted.end();
     });
+    std::erase_if(easiest.barred, [&](Element x) { return !contains(other.barred, x); });
     // A part that a bench cannot have is in another slot there.
     const auto of_both = std::min(easiest.slots.size(), other.slots.size());
     for (std::size_t s = 0; s < of_both; ++s) {

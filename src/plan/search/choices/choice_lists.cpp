@@ -4,6 +4,7 @@
 
 #include "changeover/plan/model.hpp"
 #include "core/checked.hpp"
+#include "core/contains.hpp"
 #include "plan/job/pair_numbers.hpp"
 
 namespace changeover {
@@ -22,7 +23,7 @@ ChoiceJob::ChoiceJob(const Job& job)
   const std::size_t v = job.names.size();
   for (Element x = 0; x < v; ++x) {
     slot_.push_back(job.slot_of[x]);
-    if (!rules_.banned(x)) {
+    if (!rules_.banned(x) && !contains(job.barred, x)) {
       values_[slot_[x]].push_back(x);
     }
     hides_.push_back(job.model->value(x).negative ? 1 : 0);

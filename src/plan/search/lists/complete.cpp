@@ -12,6 +12,9 @@ namespace {
 // The set-up of a bench closest to `beside` that contains the target; nullopt if none is found.
 std::optional<Block> around(const Lists& lists, std::size_t bench, std::span<const Element> beside,
                             std::span<const Element> target) {
+  if (lists.of_model()) {
+    return lists.values(bench).around(beside, target);
+  }
   const Job& job = lists.job(bench);
   Block setup = job.mounted;
   for (const Element x : target) {

@@ -1,8 +1,10 @@
 #include "plan/search/lists/lists.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "changeover/plan/model.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "plan/job/pair_numbers.hpp"
@@ -36,8 +38,36 @@ ListsJob ListsJob::alike(const Job& job, const Weights& weights, std::size_t ben
           .weights = std::vector<Weights>(benches, weights)};
 }
 
+namespace {
+
+std::vector<bool> values_out_of_range(const Job& job) {
+  std::vector<bool> hides(job.names.size(), false);
+  bool some = false;
+  for (Element x = 0; x < job.parts() && job.model != nullptr; ++x) {
+    hides[x] = job.model->value(x).negative;
+    some = some || hides[x];
+  }
+  return some ? hides : std::vector<bool>();
+}
+
+}  // namespace
+
+Element Lists::hiding_in(std::span<const Element> setup) const {
+  if (!hides_.empty()) {
+    for (const Element x : setup) {
+      if (hides_[x]) {
+        return x;
+      }
+    }
+  }
+  return no_part;
+}
+
 void Lists::fill(Place& place, std::span<const Element> setup) const {
   place.elements.assign(setup.begin(), setup.end());
+  if (of_model()) {
+    std::ranges::sort(place.elements);
+  }
   place.bits.assign((parts_ + 63) / 64, 0);
   for (const Element x : setup) {
     place.bits[x >> 6] |= std::uint64_t{1} << (x & 63);
@@ -63,6 +93,7 @@ void Lists::add_views(const ListsJob& job) {
               .fitting = Fitting(own),
               .weights = job.weights[bench],
               .replace = {},
+              .values = ValueRules(own, job.rules),
               .stays = std::vector<bool>(parts_, false),
               .start = place_of(own.start)};
     for (const Element m : own.mounted) {
@@ -77,45 +108,11 @@ void Lists::add_views(const ListsJob& job) {
   }
 }
 
-void Lists::set_clock(const ListsJob& job) {
-  if (job.clock == nullptr) {
-    return;
-  }
-  const ClockRules& rules = *job.clock;
-  const std::uint64_t unit = job.weights.front().unit;
-  std::vector<ClockBench> courses;
-  before_.reserve(benches());  // the clock refers to it
-  for (std::size_t bench = 0; bench < benches(); ++bench) {
-    Before before{.start = place_of(rules.start[bench]),
-                  .steps = {},
-                  .shared = Bits((parts_ + 63) / 64, 0),
-                  .change = {}};
-    for (Element x = 0; x < parts_; ++x) {
-      before.shared[x >> 6] |= std::uint64_t{rules.shared[bench][x]} << (x & 63);
-      before.change.push_back(static_cast<Ticks>(view(bench).weights.change[x]));
-    }
-    for (const Block& setup : rules.first[bench]) {
-      Place place = place_of(setup);
-      const Place& from = before.steps.empty() ? before.start : before.steps.back();
-      place.cost =
-          static_cast<std::int64_t>(view(bench).weights.test) + step(view(bench), from, place);
-      before.steps.push_back(std::move(place));
-    }
-    before_.push_back(std::move(before));
-    const Before& kept = before_.back();
-    courses.push_back({.start = kept.start.bits.data(),
-                       .shared = kept.shared.data(),
-                       .change = kept.change,
-                       .hours = static_cast<Ticks>(rules.hours[bench] / unit)});
-  }
-  clock_.emplace(std::move(courses), rules.quantity, static_cast<Ticks>(ceil_div(rules.day, unit)));
-  stale_.assign(benches(), 0);
-}
-
 Lists::Lists(const ListsJob& job, const BenchLists& lists)
     : job_(job.common),
       parts_(job.common->names.size()),
       triples_(!job.common->triples.empty()),
+      hides_(values_out_of_range(*job.common)),
       is_movable_(parts_, false),
       order_(lists.size()),
       cost_(lists.size(), 0) {
@@ -214,43 +211,6 @@ Spot Lists::spot(std::size_t index) const {
   return {bench, index};
 }
 
-std::int64_t Lists::largest() const {
-  return clock_ ? clocked().finish : *std::max_element(cost_.begin(), cost_.end());
-}
-
-const BenchClock::Result& Lists::clocked() const {
-  if (!clocked_) {
-    for (std::size_t bench = 0; bench < benches(); ++bench) {
-      const std::vector<Place>& first = before_[bench].steps;
-      const std::vector<std::uint32_t>& order = order_[bench];
-      std::vector<ClockStep>& steps = clock_->steps(bench);
-      steps.resize(first.size() + order.size());
-      for (std::size_t i = stale_[bench]; i < steps.size(); ++i) {
-        const Place& place = i < first.size() ? first[i] : places_[order[i - first.size()]];
-        steps[i] = {place.cost, place.bits.data()};
-      }
-      stale_[bench] = steps.size();
-    }
-    (void)clock_->run();
-    clocked_ = true;
-    if (notes_.empty()) {
-      clock_->keep();
-      clock_kept_ = true;
-    }
-  }
-  return clock_->result();
-}
-
-// Tells the clock that steps from a place on change.
-void Lists::changed(Spot where) {
-  if (clock_) {
-    const std::size_t at = before_[where.bench].steps.size() + where.at;
-    stale_[where.bench] = std::min(stale_[where.bench], at);
-    clock_->change(where.bench, at);
-    clocked_ = false;
-  }
-}
-
 BenchLists Lists::lists() const {
   BenchLists result(benches());
   for (std::size_t bench = 0; bench < benches(); ++bench) {
@@ -260,6 +220,12 @@ BenchLists Lists::lists() const {
     }
   }
   return result;
+}
+
+Element Lists::rival_in(std::span<const Element> setup, Element x) const {
+  const auto found =
+      std::ranges::find_if(setup, [&](Element y) { return job_->slot_of[y] == job_->slot_of[x]; });
+  return found == setup.end() ? no_part : *found;
 }
 
 bool Lists::joins(std::span<const Element> setup, Element y) const {
@@ -289,9 +255,9 @@ bool Lists::may_replace(Spot where, Element out, Element in) const {
       return false;
     }
   }
-  return in == no_part || never_.empty() || std::none_of(now.begin(), now.end(), [&](Element z) {
-           return z != out && bit(never_[in], z);
-         });
+  const auto is_against = [&](Element z) { return z != out && bit(never_[in], z); };
+  return in == no_part || ((never_.empty() || std::none_of(now.begin(), now.end(), is_against)) &&
+                           (!own.values.of_model() || own.values.may_have(now, in)));
 }
 
 bool Lists::allows(std::size_t bench, std::span<const Element> setup) const {
@@ -311,7 +277,7 @@ bool Lists::allows(std::size_t bench, std::span<const Element> setup) const {
       return false;
     }
   }
-  return true;
+  return own.values.has_all(setup);
 }
 
 std::int64_t Lists::replacing_step(const View& view, const Place& from, const Place& to) const {
@@ -358,7 +324,20 @@ std::int64_t Lists::replaced(const View& view, std::span<const Element> gone,
   return cheapest_assignment(come.size(), columns, table_);
 }
 
+std::int64_t Lists::step_of_values(const View& view, const Place& from, const Place& to) const {
+  std::int64_t weight = 0;
+  for (std::size_t p = 0; p < to.elements.size(); ++p) {
+    const Element in = to.elements[p];
+    const bool is_whole = from.elements.size() == to.elements.size();
+    weight += price_of(view, is_whole ? from.elements[p] : rival_in(from.elements, in), in);
+  }
+  return weight;
+}
+
 std::int64_t Lists::step(const View& view, const Place& from, const Place& to) const {
+  if (of_model()) {
+    return step_of_values(view, from, to);
+  }
   if (!view.replace.empty()) {
     return replacing_step(view, from, to);
   }
@@ -416,20 +395,47 @@ void Lists::count_with(const Block& others, Element x) {
   }
 }
 
+// All of a set-up; with a value out of range, only what has that.
 template <bool coming>
 void Lists::count_all(const Block& setup) {
   Block others;
   others.reserve(setup.size());
+  if (const Element hiding = hiding_in(setup); hiding != no_part) {
+    std::ranges::remove_copy(setup, std::back_inserter(others), hiding);
+    count_with<coming>(others, hiding);
+    return;
+  }
   for (const Element x : setup) {
     count_with<coming>(others, x);
     others.push_back(x);
   }
 }
 
+// A value takes the place of another of its parameter.
+void Lists::replace_value(Place& place, Element out, Element in) {
+  if (!hides_.empty() && (hides_[in] || hiding_in(place.elements) != no_part)) {
+    count_all<false>(place.elements);
+    *std::ranges::find(place.elements, out) = in;
+    count_all<true>(place.elements);
+  } else {
+    others_.clear();
+    std::ranges::remove_copy(place.elements, std::back_inserter(others_), out);
+    count_with<false>(others_, out);
+    count_with<true>(others_, in);
+    *std::ranges::find(place.elements, out) = in;
+  }
+  place.bits[out >> 6] &= ~(std::uint64_t{1} << (out & 63));
+  place.bits[in >> 6] |= std::uint64_t{1} << (in & 63);
+}
+
 void Lists::do_replace(Spot where, Element out, Element in) {
   changed(where);
   Place& place = places_[order_[where.bench][where.at]];
   overlap_ -= overlap_of(where.bench, place);
+  if (of_model()) {
+    replace_value(place, out, in);
+    in = out = no_part;
+  }
   if (out != no_part) {
     *std::find(place.elements.begin(), place.elements.end(), out) = place.elements.back();
     place.elements.pop_back();

@@ -2,6 +2,9 @@
 // of parts have to meet: the lists, their costs, and the weight of what has not met, updated by
 // every move.
 //
+// In a job of a model every set-up has one value of each parameter, in their order, and breaks no
+// rule; of one with a value out of range only what has that value counts.
+//
 // Benches may differ in costs, room, slots and mounted parts. If parts are scarce or benches rest,
 // a clock computes when everything is done, after every move, in O(tests after the first change).
 //
@@ -16,6 +19,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,6 +29,7 @@
 #include "plan/job/pair_numbers.hpp"
 #include "plan/search/anneal/sequence.hpp"
 #include "plan/search/benches/bench_clock.hpp"
+#include "plan/search/lists/value_rules.hpp"
 
 namespace changeover {
 
@@ -62,6 +67,8 @@ struct ListsJob {
   std::vector<Weights> weights = {};     ///< by bench
   std::vector<std::int64_t> spent = {};  ///< by bench: cost before its list; empty: 0
   const ClockRules* clock = nullptr;     ///< null if no bench waits or rests
+  /// Of the model of the jobs; null for other jobs.
+  std::shared_ptr<const CompiledRules> rules = {};
   /// In place of the clock: scarce parts may be on two benches at a time, but overlap() counts it.
   bool overlaps = false;
 
@@ -83,6 +90,9 @@ class Lists {
   Lists(Lists&&) = default;
   Lists& operator=(Lists&&) = default;
 
+  /// Whether the parts are values of a model.
+  [[nodiscard]] bool of_model() const { return job_->model != nullptr; }
+  [[nodiscard]] const ValueRules& values(std::size_t bench) const { return view(bench).values; }
   /// The job that says what has to meet.
   [[nodiscard]] const Job& job() const { return *job_; }
   [[nodiscard]] const Job& job(std::size_t bench) const { return *view(bench).job; }
@@ -138,14 +148,19 @@ class Lists {
   /// Whether x was among them.
   [[nodiscard]] bool was_there(Spot where, Element x) const { return bit(before(where).bits, x); }
   [[nodiscard]] BenchLists lists() const;
+  /// The part of a set-up, or of what is mounted at the start, of the slot of x; `no_part` if there
+  /// is none.
+  [[nodiscard]] Element rival_in(std::span<const Element> setup, Element x) const;
   /// Whether a set-up stays valid if `out` is removed and `in` added; `no_part` for neither.
   [[nodiscard]] bool may_replace(Spot where, Element out, Element in) const;
   /// Whether y may be together with all parts of a set-up.
   [[nodiscard]] bool joins(std::span<const Element> setup, Element y) const;
 
   /// Whether moves are evaluated before they are made: where pairs must meet, and costs do not
-  /// depend on what is replaced.
-  [[nodiscard]] bool foresees() const { return !triples_ && views_.front().replace.empty(); }
+  /// depend on what is replaced, unless by parameters of a model.
+  [[nodiscard]] bool foresees() const {
+    return !triples_ && (of_model() || views_.front().replace.empty());
+  }
   /// What the work of a bench, that of another and missing() would become more by a move, if
   /// foresees().
   struct Rise {
@@ -188,7 +203,8 @@ class Lists {
     Fitting fitting;
     Weights weights;
     std::vector<std::int64_t>
-        replace;              // by part out and part in, if costs depend on what is replaced
+        replace;  // by part out and part in, if costs depend on what is replaced
+    ValueRules values;
     std::vector<bool> stays;  // by part: permanently mounted
     Place start;              // mounted before the list
   };
@@ -219,6 +235,19 @@ class Lists {
   [[nodiscard]] std::int64_t step(const View& view, const Place& from, const Place& to) const;
   [[nodiscard]] std::int64_t replacing_step(const View& view, const Place& from,
                                             const Place& to) const;
+  // The cost of setting a value in place of another one of its parameter, or of none.
+  [[nodiscard]] std::int64_t price_of(const View& view, Element out, Element in) const {
+    return out == in ? 0
+           : out == no_part || view.replace.empty()
+               ? static_cast<std::int64_t>(view.weights.change[in])
+               : view.replace[out * parts_ + in];
+  }
+  [[nodiscard]] std::int64_t step_of_values(const View& view, const Place& from,
+                                            const Place& to) const;
+  [[nodiscard]] Rise rise_of_value(Spot where, Element out, Element in) const;
+  [[nodiscard]] std::int64_t weight_with_count(std::span<const Element> setup,
+                                               std::uint32_t times) const;
+  [[nodiscard]] std::int64_t saved_within(std::size_t bench, Stretch where) const;
   // The cost of replacing parts by others, all of one slot.
   [[nodiscard]] std::int64_t replaced(const View& view, std::span<const Element> gone,
                                       std::span<const Element> come) const;
@@ -252,6 +281,8 @@ class Lists {
   void count_with(const Block& others, Element x);
   template <bool coming>
   void count_all(const Block& setup);
+  [[nodiscard]] Element hiding_in(std::span<const Element> setup) const;
+  void replace_value(Place& place, Element out, Element in);
   void do_replace(Spot where, Element out, Element in);
   void attach(Spot where, std::uint32_t handle, bool timed = false);
   std::uint32_t detach(Spot where);
@@ -264,6 +295,7 @@ class Lists {
   std::uint64_t most_room_ = 0;
   std::size_t parts_;
   bool triples_;
+  std::vector<bool> hides_;  // by part: out of range; empty if none is
   std::vector<Bits> never_;  // by part, if there are forbidden pairs
   std::vector<Element> movable_;
   std::vector<bool> is_movable_;
@@ -289,6 +321,7 @@ class Lists {
   mutable std::vector<std::size_t> stale_;  // by bench: steps from here on the clock does not have
   mutable bool clocked_ = false;            // the clock's result is up to date
   mutable bool clock_kept_ = false;         // the clock has kept what keep() was last called with
+  Block others_;                            // scratch memory
   // Scratch memory for const functions.
   mutable Block gone_;
   mutable Block come_;

@@ -193,6 +193,16 @@ Element ListsAnnealer::some_part_of(Spot where, std::span<const Element> staying
   return lists_->is_movable(where.bench, x) && !stays ? x : no_part;
 }
 
+// What would make place for `in`: of a model, the value of the same parameter.
+Element ListsAnnealer::some_place_for(Element in, Spot where, std::span<const Element> staying) {
+  if (!lists_->of_model()) {
+    return some_part_of(where, staying);
+  }
+  const Element out = lists_->rival_in(lists_->setup(where), in);
+  const bool stays = std::find(staying.begin(), staying.end(), out) != staying.end();
+  return stays || out == no_part || !lists_->is_movable(where.bench, out) ? no_part : out;
+}
+
 void ListsAnnealer::move() {
   if (lists_->tests() == 0) {
     insert();
@@ -262,7 +272,9 @@ void ListsAnnealer::shift() {
   const Spot after{where.bench, where.at + 1};
   const auto earlier = lists_->before_setup(where);
   const Element coming = some_difference(lists_->setup(where), where, where.bench);
-  const Element leaving = some_difference(earlier, after, where.bench);
+  const Element leaving = lists_->of_model() && coming != no_part
+                              ? lists_->rival_in(earlier, coming)
+                              : some_difference(earlier, after, where.bench);
   const bool later = random_->one_in_two();
   if (later ? leaving == no_part : (coming == no_part || where.at == 0)) {
     return;
@@ -280,7 +292,7 @@ void ListsAnnealer::shift() {
 void ListsAnnealer::replace_one() {
   const Spot where = some_spot();
   const Element in = some_part();
-  const Element out = some_part_of(where, {});
+  const Element out = some_place_for(in, where, {});
   if (out != no_part && lists_->is_movable(where.bench, in) && replaceable(where, out, in)) {
     try_replacing(where, out, in);
   }
@@ -298,7 +310,7 @@ void ListsAnnealer::replace_one_aimed() {
   if (!where || !lists_->is_movable(where->bench, in)) {
     return;
   }
-  const Element out = some_part_of(*where, staying);
+  const Element out = some_place_for(in, *where, staying);
   if (out != no_part && out != in && replaceable(*where, out, in)) {
     try_replacing(*where, out, in);
   }
@@ -307,7 +319,7 @@ void ListsAnnealer::replace_one_aimed() {
 void ListsAnnealer::exchange() {
   const Spot where = some_spot();
   const Element in = some_part();
-  const Element out = some_part_of(where, {});
+  const Element out = some_place_for(in, where, {});
   if (out != no_part && lists_->is_movable(where.bench, in) && !lists_->holds(where, in)) {
     replace_around(where, out, in);
   }
@@ -355,7 +367,7 @@ void ListsAnnealer::exchange_aimed() {
   }
   if (has_room(*where) && random_->one_in_two()) {
     replace_around(*where, no_part, in);
-  } else if (const Element out = some_part_of(*where, staying); out != no_part) {
+  } else if (const Element out = some_place_for(in, *where, staying); out != no_part) {
     replace_around(*where, out, in);
   }
 }
@@ -426,7 +438,7 @@ void ListsAnnealer::copy() {
     }
     where = *holder;
     in = target.back();
-    out = some_part_of(where, staying);
+    out = some_place_for(in, where, staying);
     if (out == no_part || !replaceable(where, out, in)) {
       return;
     }
@@ -467,6 +479,14 @@ void ListsAnnealer::insert() {
     at.bench = below(lists_->benches());
     at.at = below(lists_->tests(at.bench) + 1);
     alone = true;
+  }
+  if (lists_->of_model()) {
+    const auto whole = lists_->values(at.bench).around(setup, target);
+    if (whole) {
+      lists_->insert(at, *whole);
+      decide();
+    }
+    return;
   }
   if (alone) {
     setup = lists_->job(at.bench).mounted;

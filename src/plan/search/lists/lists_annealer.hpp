@@ -67,6 +67,7 @@ class ListsAnnealer {
   Spot some_spot() { return lists_->spot(below(lists_->tests())); }
   Element some_part() { return lists_->movable()[below(lists_->movable().size())]; }
   Element some_part_of(Spot where, std::span<const Element> staying);
+  Element some_place_for(Element in, Spot where, std::span<const Element> staying);
   Element some_difference(std::span<const Element> in, Spot lacks, std::size_t bench);
   [[nodiscard]] std::optional<Spot> some_holder(std::span<const Element> parts);
   [[nodiscard]] std::vector<Element> some_target();

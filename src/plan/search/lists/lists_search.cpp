@@ -28,12 +28,18 @@ constexpr std::array<FixedStyle, 4> fixed_styles{{{2.0, 0.25, 0.08, 4.0},
                                                   {2.2, 0.60, 0.10, 8.0},
                                                   {2.5, 0.30, 0.06, 100.0}}};
 
-std::uint64_t suitable_steps(const Lists& lists, const ListsSearch& options) {
+// Whether moves are wide, for a fixed penalty. Of a model every other attempt is: a value that
+// costs much is best changed in several set-ups at a time.
+bool is_fixed(const Job& job, const ListsSearch& options, std::size_t attempt) {
+  return options.aim == Aim::most_weight ||
+         (job.model == nullptr ? job.replaces() : attempt % 2 == 1);
+}
+
+std::uint64_t suitable_steps(const Lists& lists, const ListsSearch& options, bool fixed) {
   const std::uint64_t room = lists.most_room();
   const std::uint64_t a_move = lists.of_triples() ? room * room : room;
   constexpr std::uint64_t least = 100'000;
   constexpr std::uint64_t a_place = 12'000;
-  const bool fixed = options.aim == Aim::most_weight || lists.job(0).replaces();
   const std::uint64_t most = fixed ? 4'000'000 : 30'000'000;
   const std::uint64_t work = fixed ? 40'000'000 : 160'000'000;
   // With a clock, every move examines every test.
@@ -88,12 +94,14 @@ FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& star
     Lists lists(job, starts[i % starts.size()]);
     bests[i].take(lists, options);
     ListsSchedule schedule;
-    if (options.aim == Aim::most_weight || job.jobs.front()->replaces()) {
+    // The rest is for the work after each attempt, and for what the time limit does not include.
+    constexpr double share = 0.9;
+    const auto time = time_of_attempt(control, i, options.attempts, share);
+    const bool fixed = is_fixed(*job.jobs.front(), options, i);
+    if (fixed) {
       schedule = fixed_schedule(job, lists, options, i);
+      schedule.time = lists.of_model() ? time : std::nullopt;
     } else {
-      // The rest is for the work after each attempt, and for what the time limit does not include.
-      constexpr double share = 0.9;
-      const auto time = time_of_attempt(control, i, options.attempts, share);
       // A later round stays near the best lists, and so does one with too few moves per place.
       constexpr double few = 0.001;  // seconds
       const bool hurries =
@@ -108,8 +116,8 @@ FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& star
     }
     Random random(control.seed(), 4'000'000 + std::uint64_t{options.round} * options.attempts + i);
     ListsAnnealer annealer(lists, options, schedule, random);
-    steps[i] =
-        annealer.run(options.steps > 0 ? options.steps : suitable_steps(lists, options), control);
+    steps[i] = annealer.run(
+        options.steps > 0 ? options.steps : suitable_steps(lists, options, fixed), control);
     if (annealer.best_rank()) {
       Lists best(job, annealer.best());
       bests[i].take(best, options);

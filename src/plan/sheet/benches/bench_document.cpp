@@ -77,9 +77,9 @@ std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
 }  // namespace
 
 std::vector<std::string> bench_sheet_names(const std::vector<Bench>& benches) {
-  std::set<std::string> taken{
-      "plan",      "parts",  "slots", "never", "done", "benches", "changeover-question",
-      "run sheet", "history"};  // Excel has a use for the last
+  std::set<std::string> taken{"plan",      "parts",  "slots",   "costs",
+                              "never",     "done",   "benches", "changeover-question",
+                              "run sheet", "history"};  // Excel has a use for the last
   std::vector<std::string> names;
   for (std::size_t b = 0; b < benches.size(); ++b) {
     names.push_back(sheet_name(name_of(benches, b), taken));

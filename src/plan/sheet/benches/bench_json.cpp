@@ -5,6 +5,7 @@
 #include "plan/sheet/benches/bench_words.hpp"
 #include "plan/sheet/places_json.hpp"
 #include "plan/sheet/sheet_document.hpp"
+#include "plan/sheet/values_json.hpp"
 
 namespace changeover {
 namespace {
@@ -39,8 +40,9 @@ void write_bench(JsonWriter& json, const BenchDocument& document, std::size_t be
   const auto write_met = [&](const RunStep& step) {
     json.key("new_" + what_meets(job)).value(new_here(job, step));
   };
+  const ValuesInJson values(job, sheet);
   places.write_steps(
-      json, bench, money, [](std::size_t) {}, write_met,
+      json, bench, money, [&](std::size_t at) { values.write(json, at); }, write_met,
       [&](std::size_t at) {
         write_times(json, plan.times[bench][at], calendar, money);
         if (const Block& again = plan.schedule[bench][at].again; !again.empty()) {
@@ -106,6 +108,9 @@ std::string json_of(const BenchDocument& document) {
   const BenchSheets sheets(document);
   const PlacesInJson places(sheets.shown);
   places.write_all(json);
+  if (job.model != nullptr) {
+    write_model(json, job);
+  }
   json.list("sheets", std::views::iota(std::size_t{0}, plan.sheets.size()), [&](std::size_t bench) {
     write_bench(json, document, bench, money, calendar, places);
   });

@@ -47,8 +47,8 @@ std::string headline(const BenchDocument& document) {
   const auto down =
       std::ranges::count_if(plan.benches, [](const Bench& bench) { return bench.down; });
   const std::uint64_t done = tests_done_of(document);
-  return fmt::format("{}, {} at a time, on {}{}: {}, {}{}", count_of(parts_listed(job), "part"),
-                     job.at_once, count_of(plan.sheets.size(), "bench", "benches"),
+  return fmt::format("{}, on {}{}: {}, {}{}", what_there_is(job),
+                     count_of(plan.sheets.size(), "bench", "benches"),
                      down == 0   ? ""
                      : down == 1 ? ", one of them down"
                                  : fmt::format(", {} of them down", down),
@@ -188,8 +188,9 @@ std::vector<std::string> bench_facts(const BenchDocument& document, std::size_t 
       facts.push_back(fmt::format("{}: {}", what, joined(names_of(job, parts))));
     }
   };
-  list("stays mounted", b.mounted.value_or(Block()));
-  list("mounted at the start", b.start.value_or(Block()));
+  const bool of_model = job.model != nullptr;
+  list(of_model ? "always set" : "stays mounted", b.mounted.value_or(Block()));
+  list(of_model ? "set at the start" : "mounted at the start", b.start.value_or(Block()));
   list("has its own", b.own);
   list("cannot have", b.without);
   if (b.first && !b.first->empty()) {
@@ -214,6 +215,9 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
   const BenchCalendar calendar = calendar_of(document);
   std::vector<std::string> lines{headline(document), end_line(document, calendar, money),
                                  tested_line(job, plan, " on some bench")};
+  if (auto rules = rules_line(job)) {
+    lines.push_back(*std::move(rules));
+  }
   if (job.met_only_in_failed > 0) {
     lines.push_back(failed_line(job));
   }
@@ -240,7 +244,8 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
                           money(plan.bound.cost), plan.bound.reason));
   }
   if (all_alike(document)) {
-    lines.emplace_back("every bench begins empty, and every bench can have every part");
+    lines.push_back(fmt::format("every bench begins empty, and every bench can have every {}",
+                                job.model == nullptr ? "part" : "value"));
   }
   if (const std::string scarce = scarce_parts(document); !scarce.empty()) {
     lines.push_back("scarce, on no more benches at a time: " + scarce);

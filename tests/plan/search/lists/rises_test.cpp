@@ -6,6 +6,7 @@
 
 #include "plan/search/lists/lists.hpp"
 #include "random_jobs.hpp"
+#include "random_models.hpp"
 
 namespace changeover::rises_test {
 namespace {
@@ -51,6 +52,32 @@ class Rises : public ::testing::Test {
     ++moves_;
   }
 
+  // Taking out, turning and moving, from this place on.
+  template <typename Below>
+  void expect_of_whole_setups(Lists& lists, Spot where, Below&& below) {
+    expect(lists, lists.rise_of_take_out(where), [&] { lists.take_out(where); });
+    Stretch stretch{where.at, below(lists.tests(where.bench))};
+    if (stretch.first > stretch.last) {
+      std::swap(stretch.first, stretch.last);
+    }
+    expect(lists, lists.rise_of_reverse(where.bench, stretch),
+           [&] { lists.reverse(where.bench, stretch); });
+    const std::size_t count = 1 + below(lists.tests(where.bench) - where.at);
+    Spot to{below(lists.benches()), 0};
+    to.at = below(lists.tests(to.bench) - (to.bench == where.bench ? count : 0) + 1);
+    if (to.bench == where.bench && to.at == where.at) {
+      return;
+    }
+    for (const bool reversed : {false, true}) {
+      expect(lists, lists.rise_of_move(where, count, to, reversed), [&] {
+        lists.move(where, count, to);
+        if (reversed) {
+          lists.reverse(to.bench, {to.at, to.at + count - 1});
+        }
+      });
+    }
+  }
+
   unsigned moves_ = 0;
 };
 
@@ -91,30 +118,61 @@ TEST_F(Rises, AreWhatMovesChange) {
       }
       expect(lists, lists.rise_of_replace(where, out, no_part),
              [&] { lists.replace(where, out, no_part); });
-      expect(lists, lists.rise_of_take_out(where), [&] { lists.take_out(where); });
-      Stretch stretch{where.at, below(lists.tests(where.bench))};
-      if (stretch.first > stretch.last) {
-        std::swap(stretch.first, stretch.last);
-      }
-      expect(lists, lists.rise_of_reverse(where.bench, stretch),
-             [&] { lists.reverse(where.bench, stretch); });
-      const std::size_t count = 1 + below(lists.tests(where.bench) - where.at);
-      Spot to{below(lists.benches()), 0};
-      to.at = below(lists.tests(to.bench) - (to.bench == where.bench ? count : 0) + 1);
-      if (to.bench == where.bench && to.at == where.at) {
-        continue;
-      }
-      for (const bool reversed : {false, true}) {
-        expect(lists, lists.rise_of_move(where, count, to, reversed), [&] {
-          lists.move(where, count, to);
-          if (reversed) {
-            lists.reverse(to.bench, {to.at, to.at + count - 1});
-          }
-        });
-      }
+      expect_of_whole_setups(lists, where, below);
     }
   }
   EXPECT_GT(moves_, 40'000U);
+}
+
+// Values of models: with some out of range, and costs by what is replaced.
+TEST_F(Rises, OfValuesAreWhatMovesChange) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const Model model = test::model_of(test::random_model_text(4000 + seed, 5, 4));
+    Random random(seed, 7);
+    Job job = job_of(model, Amount{3'000'000}, Amount{});
+    for (Amount& cost : job.change_costs) {
+      cost = Amount{(1 + random.below(5)) * 1'000'000ULL};
+    }
+    for (std::size_t i = 0; seed % 2 == 0 && i < job.parts() * job.parts(); ++i) {
+      job.replace_costs.push_back(Amount{(1 + random.below(5)) * 1'000'000ULL});
+    }
+    const std::vector<Block> rows = test::all_tests(model);
+    const auto below = [&](std::size_t limit) {
+      return random.below(static_cast<std::uint32_t>(limit));
+    };
+    job.start = rows[below(rows.size())];
+    job.start.pop_back();
+    const std::vector<const Job*> benches{&job, &job};
+    const ListsJob question{.common = &job,
+                            .jobs = benches,
+                            .weights = weights_of(benches, 100),
+                            .rules = std::make_shared<const CompiledRules>(model)};
+    BenchLists some(2);
+    for (std::vector<Block>& list : some) {
+      for (std::size_t i = 1 + below(5); i > 0; --i) {
+        list.push_back(rows[below(rows.size())]);
+      }
+    }
+    Lists lists(question, some);
+    ASSERT_TRUE(lists.foresees());
+    for (unsigned i = 0; i < 100; ++i) {
+      const Spot where = lists.spot(below(lists.tests()));
+      const Element x = below(job.parts());
+      const Element out = lists.rival_in(lists.setup(where), x);
+      if (x != out) {
+        const auto there = lists.setup(where);
+        Block row(there.begin(), there.end());
+        std::ranges::replace(row, out, x);
+        ASSERT_EQ(lists.may_replace(where, out, x), follows(model, row));
+        if (follows(model, row)) {
+          expect(lists, lists.rise_of_replace(where, out, x),
+                 [&] { lists.replace(where, out, x); });
+        }
+      }
+      expect_of_whole_setups(lists, where, below);
+    }
+  }
+  EXPECT_GT(moves_, 5'000U);
 }
 
 }  // namespace
