@@ -177,7 +177,8 @@ export type Job = {
     | null;
   /**
    * of several benches: the earliest end of the last test (makespan) or the least cost together;
-   * of a model: the least cost or the fewest tests (default: makespan of benches, cost of a model)
+   * of a model on one bench: the least cost or the fewest tests (default: makespan of benches,
+   * cost of a model on one)
    */
   objective?: ('makespan' | 'cost' | 'tests') | null;
   /** hours of work a day, for benches that give none; costs are then in hours */
@@ -364,6 +365,11 @@ export interface Benches {
   finish?: {day: number; hour: number; date?: string};
   cost_unit: null | 'seconds' | 'minutes' | 'hours';
   places: {number: number; slot: null | string}[];
+  parameters?: {
+    name: string;
+    values: {value: string; part: string; names: string[]; out_of_range: boolean}[];
+  }[];
+  rules?: number;
   sheets: {
     bench: number;
     name: string;
@@ -377,6 +383,7 @@ export interface Benches {
     end: number;
     steps: {
       step: number;
+      values?: {[k: string]: string};
       take_out: string[];
       put_in: string[];
       set_up: string[];

@@ -119,7 +119,7 @@ export function requestOf(job: Job): Request {
     job.seconds > 0 ? { seconds: job.seconds } : {},
   );
   const benches = job.benches.map(benchRow);
-  if (benches.length > 0 && !model) {
+  if (benches.length > 0) {
     request.benches = benches;
     Object.assign(
       request,

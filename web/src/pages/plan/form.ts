@@ -275,7 +275,8 @@ export function jobForm(
       'p',
       { class: 'hint' },
       'One bench per row, with what is different there. In the parts list, “how many” says how ' +
-        'many there are of a part; a part is on one bench at a time.',
+        'many there are of a part; a part is on one bench at a time. Of a model, “without” names ' +
+        'values.',
     ),
     h(
       'div',
@@ -312,7 +313,6 @@ export function jobForm(
       check(weekends, 'Weekends too'),
     ),
   );
-  onlyParts.push(severalBenches);
   const replacing = group(
     'change_costs',
     'Costs by what is replaced',
@@ -374,7 +374,7 @@ export function jobForm(
       'div',
       { class: 'row' },
       h('button', { type: 'button', class: 'plain', onclick: pickFile }, 'Open a file …'),
-      field('Make it', aim),
+      field('Make it', aim, 'of several benches: there'),
     ),
   );
   const choices = (['parts', 'model'] as const).map((name) => {
@@ -503,7 +503,8 @@ export function jobForm(
         budget: budget.value,
         changeCosts: changeCosts.value,
         benches: benches.read(),
-        objective: (source === 'model' ? aim : objective).value as Job['objective'],
+        objective: (source === 'model' && benches.read().length === 0 ? aim : objective)
+          .value as Job['objective'],
         hours: hours.value,
         firstDay: firstDay.value,
         weekends: weekends.checked,

@@ -46,7 +46,7 @@ function gap(outcome: Outcome, money: (cost: number) => string): string {
 export function inShort(job: Job, benches = 0): string {
   const parts = job.parts.filter((part) => !part.gone).length;
   return job.source === 'model'
-    ? 'The model'
+    ? `The model${benches > 0 ? `, ${count(benches, 'bench', 'benches')}` : ''}`
     : parts === 0
       ? ''
       : `${count(parts, 'part')}` +

@@ -254,6 +254,7 @@ function ofBenches(
         parts: each.set_up,
         places: each.places,
         cost: each.cost,
+        ...(each.values ? { values: each.values } : {}),
         ...(when ? { when } : {}),
         ...(ends ? { ends } : {}),
         ...untested,
