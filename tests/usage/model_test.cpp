@@ -229,6 +229,9 @@ TEST(ModelUsage, TestsAreSharedBetweenMachines) {
           {plan + "--format csv -o run.csv && sed -e '2s/,$/,pass/' run.csv > done.csv && " + plan +
                "--done done.csv",
            0, "North: set at the start: "},
+          {"printf 'OS,Fedora,quantity,1\\n' > one.csv && " + plan +
+               "--change-costs one.csv -o run.xlsx && $changeover plan run.xlsx" + few,
+           0, "scarce, on no more benches at a time: Fedora (1)"},
           {plan + "-o run.xlsx && $changeover plan run.xlsx" + few, 0,
            "run.xlsx: the question is that of its hidden sheet"},
           {"sed -e '1s/$/,down/' -e '2s/$/,yes/' -e '3s/$/,/' b.csv > down.csv && "

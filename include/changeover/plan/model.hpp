@@ -151,7 +151,8 @@ void check_relations(const Model& model, std::uint64_t strength);
 /// Reads the costs of setting values, one row each: `parameter,value,cost`; `parameter,cost` for
 /// all of its values; `parameter,from,to,cost` for a value that replaces another. Or a square table
 /// for a parameter: its name and its values in a row, then a row for each value that is replaced,
-/// as in read_change_costs(). Later rows override earlier ones; a first row of such words is a
+/// as in read_change_costs(). A row `parameter,value,quantity,1` says on how many benches a value
+/// can be at a time. Later rows override earlier ones; a first row of such words is a
 /// header. Returns which values have their own cost. @throws BadInput for unknown parameters and
 /// values and for invalid costs; MissingResource if reading fails.
 std::vector<bool> read_value_costs(Input& input, Job& job);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -124,7 +125,20 @@ class ValueCosts {
     }
   }
 
-  // Rows such as "OS,12.50", "OS,Debian,12.50", "OS,Debian,Fedora,4".
+  // On how many benches a value can be at a time.
+  void set_quantity(Element x, const Field& field) {
+    std::uint64_t quantity = 0;
+    const char* const end = field.text.data() + field.text.size();
+    const auto [rest, failure] = std::from_chars(field.text.data(), end, quantity);
+    if (failure != std::errc() || rest != end || quantity == 0) {
+      reader_.fail(field, fmt::format("{} is not a quantity; write how many there are, 1 or more",
+                                      shown(field.text)));
+    }
+    job_.quantities.resize(job_.names.size(), enough_for_all);
+    job_.quantities[x] = quantity;
+  }
+
+  // Rows such as "OS,12.50", "OS,Debian,12.50", "OS,Debian,Fedora,4", "OS,Debian,quantity,1".
   void read_row(std::size_t parameter) {
     const Row& row = rows_[at_];
     switch (width(row)) {
@@ -133,6 +147,9 @@ class ValueCosts {
       case 3:
         return give(value_in(parameter, row[1]), cost_of_.read(row[2]));
       case 4: {
+        if (same_word(row[2].text, "quantity") && !names_.value(parameter, row[2].text)) {
+          return set_quantity(value_in(parameter, row[1]), row[3]);
+        }
         const Element out = value_in(parameter, row[1]);
         const Element in = value_in(parameter, row[2]);
         if (out == in) {

@@ -34,6 +34,7 @@ Job values_left(const Job& all, const PartsLeft& left) {
   if (all.replaces()) {
     job.replace_costs = left.square(all.replace_costs);
   }
+  job.quantities = all.quantities.empty() ? all.quantities : left(all.quantities);
   job.cost_unit = all.cost_unit;
   return job;
 }

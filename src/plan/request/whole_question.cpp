@@ -133,6 +133,10 @@ RequestList value_cost_rows(const Job& job) {
       const auto in = static_cast<Element>(parameter.first + i);
       rows.push_back(
           {{parameter.name, parameter.values[i].label, to_string(job.change_costs[in])}});
+      if (!job.quantities.empty() && job.quantities[in] != enough_for_all) {
+        rows.push_back({{parameter.name, parameter.values[i].label, "quantity",
+                         std::to_string(job.quantities[in])}});
+      }
       for (std::size_t o = 0; job.replaces() && o < parameter.values.size(); ++o) {
         const Amount cost = job.replace_cost(static_cast<Element>(parameter.first + o), in);
         if (o != i && cost != job.change_costs[in]) {

@@ -79,6 +79,21 @@ TEST(ModelCosts, OfWhatIsReplaced) {
   EXPECT_FALSE(numbers.replaces());
 }
 
+TEST(ModelCosts, HowManyThereAreOfAValue) {
+  Job some = job();
+  const std::vector<bool> given =
+      read_value_costs(*input_from_text("OS,2\nN,16,Quantity,3\nOS,rhel,quantity,1\n"), some);
+  EXPECT_THAT(some.quantities, ElementsAre(enough_for_all, 1U, enough_for_all, 3U, enough_for_all,
+                                           enough_for_all, enough_for_all));
+  EXPECT_FALSE(given[3]);  // that is no cost
+  EXPECT_THAT(read("OS,2\nN,16,quantity,3\n"), ElementsAre("2", "2", "7", "7", "7", "7", "7"));
+  for (const char* number : {"0", "-1", "1.5", "many"}) {
+    EXPECT_EQ(complaint(std::string("N,16,quantity,") + number + "\n"),
+              "c.csv:1:15: '" + std::string(number) +
+                  "' is not a quantity; write how many there are, 1 or more");
+  }
+}
+
 TEST(ModelCosts, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint(""), StartsWith("c.csv:1:1: no cost is listed"));
   EXPECT_EQ(complaint("OS,5\nBrowser,2\n"),
