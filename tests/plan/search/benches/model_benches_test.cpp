@@ -14,6 +14,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/benches.hpp"
 #include "changeover/plan/model.hpp"
+#include "plan/job/setups/setup_list.hpp"
 #include "run/random.hpp"
 
 namespace changeover::model_benches_test {
@@ -373,6 +374,15 @@ TEST(ModelBenches, ChangedPlansAreRejected) {
   EXPECT_GT(rules, 0U);
   EXPECT_GT(lacks, 0U);
   EXPECT_GT(open, 0U);
+}
+
+TEST(ModelBenches, ARowWithAValueThatIsNotThereIsNoSetUp) {
+  Random random(1, 8);
+  Job job = job_for(office, std::vector<Bench>(2), random);
+  EXPECT_EQ(setup_defect(job, {2, 3, 6, 8}), std::nullopt);
+  job.barred = {2};
+  EXPECT_EQ(setup_defect(job, {2, 3, 6, 8}), "ARM cannot be set here; change it");
+  EXPECT_EQ(setup_defect(job, {1, 3, 6, 8}), std::nullopt);
 }
 
 TEST(ModelBenches, WhatHasNoMeaningWithAModelIsRefused) {
