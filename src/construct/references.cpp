@@ -102,6 +102,31 @@ std::string spoken_work(const std::string& key) {
 
 std::string title_of_work(const std::string& key) { return field(bibtex_of(key), "title"); }
 
+std::string written_work(const std::string& key) {
+  const std::string entry = bibtex_of(key);
+  std::string words;
+  for (const std::string_view name : {"author", "title", "journal", "booktitle", "school"}) {
+    const std::string part = field(entry, name);
+    words += part.empty() ? "" : (words.empty() ? "" : words.ends_with('.') ? " " : ". ") + part;
+  }
+  for (const std::string_view name : {"volume", "year"}) {
+    const std::string part = field(entry, name);
+    words += part.empty() ? "" : (name == "year" ? ", " : " ") + part;
+  }
+  const std::string pages = field(entry, "pages");
+  words += pages.empty() ? "" : ", pages " + pages;
+  return words;
+}
+
+std::string address_of_work(const std::string& key) {
+  const std::string entry = bibtex_of(key);
+  if (const std::string doi = field(entry, "doi"); !doi.empty()) {
+    return "https://doi.org/" + doi;
+  }
+  const std::string preprint = field(entry, "eprint");
+  return preprint.empty() ? field(entry, "url") : "https://arxiv.org/abs/" + preprint;
+}
+
 std::string bibtex_of(const std::string& key) {
   const std::string_view all = references_text();
   const std::size_t named = all.find("{" + key + ",");

@@ -16,6 +16,13 @@ namespace changeover {
 /// The title of a work; empty if the key is not there or its work has none.
 [[nodiscard]] std::string title_of_work(const std::string& key);
 
+/// "Chafee, Amanda Lynn and Stevens, Brett. Recursive and Cyclic …. Journal of …, 2025": a line of a
+/// list of references; empty if the key is not there.
+[[nodiscard]] std::string written_work(const std::string& key);
+
+/// Where a work can be read: its DOI, its preprint or its page; empty if none is known.
+[[nodiscard]] std::string address_of_work(const std::string& key);
+
 /// Adds the keys that a sentence cites in brackets, "[ChafeeStevens2025, Theorem 2]", each once, if
 /// they are in docs/references.bib.
 void add_keys(const std::string& sentence, std::vector<std::string>& keys);

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 TEST(Dossier, SaysWhatAPaperNeeds) {
   const TemporaryFolder folder;
-  expect({{"$changeover dossier 8 5", 0, "# A circular DCCD(8,5,5)"},
+  expect({{"$changeover dossier 8 5", 0, "# A circular DCCD(8,5) with 5 blocks"},
           {"$changeover dossier 8 5 --linear", 0, "No linear DCCD(8,5) has fewer than"},
           {"$changeover dossier 20 5", 0,
            "has exactly 2 elements that the block before it lacks; the last block is before the "
@@ -28,6 +28,11 @@ TEST(Dossier, SaysWhatAPaperNeeds) {
           {"$changeover dossier 20 5 | grep -c elementary", 1, "0"},
           {"$changeover dossier 8.5.2.circular", 0, "grep -v \"^#\" design.txt | sha256sum"},
           {"$changeover dossier 26.4.2.circular.65 --format html", 0, "<figcaption>"},
+          {"$changeover dossier 9 3 --change 1 --format html", 0,
+           "[<a href=\"#ChafeeStevens2023\">Chafee and Stevens 2023</a>]"},
+          {"$changeover dossier 9 3 --change 1 --format html", 0,
+           "<li id=\"ChafeeStevens2023\">Chafee"},
+          {"$changeover dossier 9 3 --change 1 --format html", 0, "elements have <i>j</i> stays"},
           {"$changeover dossier 26 6 --change 1 --linear", 0, "63 reported \\[Bean2026\\]"},
           {"$changeover dossier 9 5 --linear", 0, "drat-trim"},
           {"$changeover dossier 8 5 -o d.tex && grep -c '.begin{document}' d.tex", 0, "1"},

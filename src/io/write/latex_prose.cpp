@@ -71,7 +71,7 @@ class Prose {
 
   std::string take() {
     while (!rest_.empty()) {
-      if (!citation() && !formula() && !ceiling() && !subscript() && !sign()) {
+      if (!citation() && !formula() && !ceiling() && !subscript() && !lone() && !sign()) {
         letter();
       }
     }
@@ -199,6 +199,25 @@ class Prose {
     }
     index = index.front() == '{' ? index.substr(1, length - 2) : index.substr(0, length);
     math(fmt::format("{}_{{{}}}", rest_.substr(0, mark), index), mark + 1 + length);
+    return true;
+  }
+
+  // On pages a small letter that stands alone is a variable; "a" is a word, "2 s" is a time, and
+  // the endings of "block(s)" and "i.e." are no letters that stand alone.
+  bool lone() {
+    const char c = rest_.front();
+    const bool opened = before_ == '(' && (plain_.size() < 2 || plain_[plain_.size() - 2] == ' ');
+    const bool measured = plain_.size() > 1 && is_digit(plain_[plain_.size() - 2]);
+    if (of_ != ProseOf::html || c < 'b' || c > 'z' || (before_ != ' ' && !opened) || measured) {
+      return false;
+    }
+    constexpr std::string_view ends = " ,.;:)";
+    const bool more = rest_.size() > 1;
+    if ((more && ends.find(rest_[1]) == std::string_view::npos) ||
+        (rest_.size() > 2 && rest_[1] == '.' && rest_[2] != ' ')) {
+      return false;
+    }
+    math(rest_.substr(0, 1), 1);
     return true;
   }
 

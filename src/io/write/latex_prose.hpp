@@ -17,8 +17,8 @@ namespace changeover {
 [[nodiscard]] std::string latex_prose(std::string_view text,
                                       const std::vector<std::string>& keys = {});
 
-/// The same for a page: signs instead of ">=" and "ceil(", indices below, letters of formulas in
-/// italics. Everything else is text. Markdown, which is also read as it stands, has no italics, and
+/// The same for a page: signs instead of ">=" and "ceil(", indices below, letters of formulas and
+/// small letters that stand alone in italics. Everything else is text. Markdown, which is also read as it stands, has no italics, and
 /// indices as HTML.
 ///
 ///     html_prose("b >= n_j")    // <i>b</i> ≥ <i>n</i><sub><i>j</i></sub>

@@ -4,6 +4,7 @@ import hashlib
 import json
 import pathlib
 import random
+import re
 import subprocess
 import tempfile
 
@@ -72,6 +73,13 @@ def check_designs(server, count):
         fault(f"a design with names is against its schema: {problem}")
 
 
+def without_links(page):
+    """A dossier as HTML without links to theorems, which only the server's pages have."""
+    page = re.sub(r'<a href="\.\./#/theorems[^"]*">([^<]*)</a>', r"\1", page)
+    return re.sub(r"docs/theorems\.md, (Theorem \d+)|(?<=stays of )(Theorem \d+)(?! of)",
+                  lambda found: f"{found[1] or found[2]} of Changeover", page)
+
+
 def check_dossiers(server):
     """A dossier is what its schema says, and what it tells to run does what it says."""
     cells = [
@@ -89,10 +97,13 @@ def check_dossiers(server):
             fault(f"a dossier is against its schema ({problem}): {cell}")
         query = f"v={answer['v']}&k={answer['k']}&change={answer['change']}&kind={answer['kind']}"
         for format in ("json", "latex", "markdown", "html"):
-            if (
-                server.text(f"{server.address}api/dossier?{query}&format={format}")
-                != run("dossier", *cell, "--format", format).stdout
-            ):
+            texts = (
+                server.text(f"{server.address}api/dossier?{query}&format={format}"),
+                run("dossier", *cell, "--format", format).stdout,
+            )
+            if format == "html":
+                texts = tuple(map(without_links, texts))
+            if texts[0] != texts[1]:
                 fault(f"the server writes another dossier: {cell} {format}")
         seen |= {key for key in ("label", "reported", "blocks") if answer[key] is not None}
         seen.add(f"{len(answer['check'])} commands")

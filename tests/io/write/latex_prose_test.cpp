@@ -14,7 +14,9 @@ TEST(LatexProse, IsHtmlAndMarkdownToo) {
   EXPECT_EQ(html_prose("b >= n_j & <x>"), "<i>b</i> ≥ <i>n</i><sub><i>j</i></sub> &amp; &lt;x&gt;");
   EXPECT_EQ(html_prose("b >= ceil((15 - 6) / 5) + 1 = 3"), "<i>b</i> ≥ ⌈(15 − 6) / 5⌉ + 1 = 3");
   EXPECT_EQ(html_prose("over Z_{15} by x ↦ x + 1"),
-            "over <i>Z</i><sub>15</sub> by x ↦ <i>x</i> + 1");
+            "over <i>Z</i><sub>15</sub> by <i>x</i> ↦ <i>x</i> + 1");
+  EXPECT_EQ(html_prose("x is where j, i.e. a block(s), took 2 s (y)"),
+            "<i>x</i> is where <i>j</i>, i.e. a block(s), took 2 s (<i>y</i>)");
   EXPECT_EQ(html_prose("2026-11-21, --time 2s"), "2026-11-21, --time 2s");
   EXPECT_EQ(markdown_prose("ab_c * [x]"), "ab\\_c \\* \\[x\\]");
   EXPECT_EQ(markdown_prose("i_x <= 3"), "i<sub>x</sub> ≤ 3");

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "answer/design/chosen_design.hpp"
@@ -60,7 +61,8 @@ inline constexpr std::uint64_t most_listed_elements = 6'000;
 
 [[nodiscard]] std::string dossier_latex(const Dossier& dossier);
 [[nodiscard]] std::string dossier_markdown(const Dossier& dossier);
-[[nodiscard]] std::string dossier_html(const Dossier& dossier);
+/// `explorer` is where the pages of the program are, as seen from this one: theorems are linked there.
+[[nodiscard]] std::string dossier_html(const Dossier& dossier, std::string_view explorer = {});
 
 /// The document changeover-dossier/1 (docs/schema).
 [[nodiscard]] std::string dossier_json(const Dossier& dossier);

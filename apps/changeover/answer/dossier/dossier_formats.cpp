@@ -5,6 +5,7 @@
 #include "answer/dossier/dossier.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/tables.hpp"
+#include "construct/references.hpp"
 #include "core/each.hpp"
 #include "core/words.hpp"
 #include "io/table/table.hpp"
@@ -29,9 +30,7 @@ class Form {
 };
 
 std::string title_of(const Dossier& dossier) {
-  std::string title = name(dossier.parameters);
-  title.insert(title.find(')'), fmt::format(",{}", dossier.b));
-  return title;
+  return fmt::format("{} with {}", name(dossier.parameters), count_of(dossier.b, "block"));
 }
 
 std::string lines_of(const Design& design) {
@@ -302,8 +301,11 @@ constexpr std::string_view style = R"(
   h1 { font-size: 1.7rem; margin: 0 0 .5rem; }
   h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
   pre { overflow-x: auto; padding: .6rem .8rem; background: #f3f4f5; font-size: .85rem;
-        white-space: pre-wrap; }
+        white-space: pre-wrap; overflow-wrap: anywhere; }
   .blocks { column-width: 12rem; white-space: pre; }
+  a { color: #0b57a4; }
+  li { margin: .25rem 0; overflow-wrap: anywhere; }
+  summary { cursor: pointer; }
   figure { margin: 1.5rem 0; text-align: center; }
   figure svg { max-width: 100%; height: auto; }
   figcaption { font-size: .9rem; }
@@ -311,20 +313,23 @@ constexpr std::string_view style = R"(
     body { margin: 0; max-width: none; font-size: 10pt; } .blocks { white-space: pre-wrap; } }
   @media (prefers-color-scheme: dark) { @media screen {
     body { color: #e8e8e8; background: #16181a; } pre { background: #24272a; }
-    figure svg { background: #fff; } } }
+    a { color: #8ec1ff; } figure svg { background: #fff; } } }
 )";
 
 class Html final : public Form {
  public:
+  Html(const Dossier& dossier, std::string_view explorer)
+      : keys_(dossier.keys), explorer_(explorer) {}
+
   void heading(const std::string& words) override {
     text += fmt::format("<h2>{}</h2>\n", html_text(words));
   }
   void paragraph(const std::string& words) override {
-    text += fmt::format("<p>{}</p>\n", html_prose(words));
+    text += fmt::format("<p>{}</p>\n", prose(words));
   }
   void item(std::size_t depth, const std::string& words) override {
     open_to(depth + 1);
-    text += fmt::format("<li>{}\n", html_prose(words));
+    text += fmt::format("<li>{}\n", prose(words));
   }
   void end_of_items() override { open_to(0); }
   void code(const std::string& lines) override {
@@ -339,12 +344,81 @@ class Html final : public Form {
   }
   void references(const Dossier& dossier) override {
     heading("References");
+    text += keys_.empty() ? "" : "<ul>\n";
+    for (const std::string& key : keys_) {
+      text += fmt::format("<li id=\"{}\">{}", html_text(key), html_text(written_work(key)));
+      if (const std::string address = html_text(address_of_work(key)); !address.empty()) {
+        text += fmt::format(". <a href=\"{0}\">{0}</a>", address);
+      }
+      text += "\n";
+    }
+    text += keys_.empty() ? "" : "</ul>\n";
+    text += fmt::format("<details>\n<summary>BibTeX of this design{}</summary>\n",
+                        keys_.empty() ? "" : " and of these works");
     code(dossier.bibtex);
+    text += "</details>\n";
   }
 
   std::string text;
 
  private:
+  // Works by their authors, linked to the references; theorems of the program linked to their
+  // proofs, if there are pages that have them.
+  [[nodiscard]] std::string prose(std::string_view words) const {
+    std::string html;
+    std::size_t done = 0;
+    const auto put = [&](std::size_t at, std::size_t length, const std::string& instead) {
+      html += html_prose(words.substr(done, at - done)) + instead;
+      done = at + length;
+    };
+    for (std::size_t at = 0; at < words.size(); ++at) {
+      if (words[at] == '[') {
+        const std::size_t end = std::min(words.find_first_of(",]", at), words.size());
+        const std::string key(words.substr(at + 1, end - at - 1));
+        if (std::ranges::find(keys_, key) != keys_.end()) {
+          put(at + 1, key.size(), fmt::format("<a href=\"#{}\">{}</a>", key, shown_work(key)));
+        }
+      } else if (const auto own = own_theorem_at(words.substr(at)); !own.empty()) {
+        put(at, own.size(), linked(own));
+      }
+    }
+    put(words.size(), 0, "");
+    return html;
+  }
+
+  static std::string shown_work(const std::string& key) {
+    const std::string spoken = spoken_work(key);
+    return html_text(spoken.empty() ? key : spoken);
+  }
+
+  // "docs/theorems.md, Theorem 5" or without a number, "stays of Theorem 5"; empty if the text does
+  // not begin with one.
+  [[nodiscard]] static std::string_view own_theorem_at(std::string_view text) {
+    constexpr std::string_view numbered = ", Theorem ";
+    std::size_t length = 0;
+    if (text.starts_with(our_theorems)) {
+      length = our_theorems.size();
+      if (text.substr(length).starts_with(numbered)) {
+        length = std::min(text.find_first_not_of(digits, length + numbered.size()), text.size());
+      }
+    } else if (text.starts_with(stays_of)) {
+      length = std::min(text.find_first_not_of(digits, stays_of.size()), text.size());
+    }
+    return text.substr(0, length);
+  }
+
+  [[nodiscard]] std::string linked(std::string_view own) const {
+    if (explorer_.empty()) {
+      return html_text(own);
+    }
+    const std::size_t digit = own.find_first_of(digits);
+    if (digit == std::string_view::npos) {
+      return fmt::format("<a href=\"{}#/theorems\">{}</a>", explorer_, own);
+    }
+    return fmt::format("{0}<a href=\"{1}#/theorems?theorem={2}\">Theorem {2} of Changeover</a>",
+                       own.starts_with(stays_of) ? "stays of " : "", explorer_, own.substr(digit));
+  }
+
   void open_to(std::size_t depth) {
     for (; open_ < depth; ++open_) {
       text += "<ul>\n";
@@ -354,6 +428,11 @@ class Html final : public Form {
     }
   }
 
+  static constexpr std::string_view our_theorems = "docs/theorems.md";
+  static constexpr std::string_view stays_of = "stays of Theorem ";
+  static constexpr std::string_view digits = "0123456789";
+  std::vector<std::string> keys_;
+  std::string_view explorer_;
   std::size_t open_ = 0;
 };
 
@@ -389,8 +468,8 @@ std::string dossier_markdown(const Dossier& dossier) {
   return fmt::format("# A {}\n\n{}", markdown_text(title_of(dossier)), form.text);
 }
 
-std::string dossier_html(const Dossier& dossier) {
-  Html form;
+std::string dossier_html(const Dossier& dossier, std::string_view explorer) {
+  Html form(dossier, explorer);
   write(dossier, form);
   return html_page("A " + title_of(dossier), style, form.text);
 }

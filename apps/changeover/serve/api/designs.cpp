@@ -64,11 +64,15 @@ Response dossier(Explorer& explorer, const Request& request) {
   const auto entry =
       selection.label.empty() ? std::nullopt : explorer.catalog.find(selection.label);
   const cli::Dossier made = cli::dossier_of(entry ? cli::built(*entry) : selection.chosen, entry);
-  Response response = text_response(format == "html"    ? cli::dossier_html(made)
+  Response response = text_response(format == "html"    ? cli::dossier_html(made, "../")
                                     : format == "json"  ? cli::dossier_json(made) + "\n"
                                     : format == "latex" ? cli::dossier_latex(made)
                                                         : cli::dossier_markdown(made),
                                     types.at(format));
+  if (format == "html") {
+    response.headers.emplace_back("Content-Security-Policy",
+                                  content_policy(*response.body) + "; frame-ancestors 'none'");
+  }
   if (format == "latex" || format == "markdown") {
     response.headers.emplace_back("Content-Disposition",
                                   fmt::format("attachment; filename=\"dossier.{}.{}.{}\"",
