@@ -8,6 +8,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
 #include "loadorder/shares/few_workers.hpp"
 
@@ -19,12 +20,19 @@ LoadBound bound_by_pairs(std::uint64_t pairs, bool between, std::uint64_t least_
                          std::uint64_t alone, std::uint64_t room, std::uint64_t workers) {
   const std::uint64_t needed = ceil_div(pairs, workers);
   const std::uint64_t least = between ? least_between(needed, room) : least_loads(needed, room);
-  const std::uint64_t low = std::min(alone, std::max(ceil_div(least_items, workers), least));
-  return {low,
-          fmt::format("one of {} workers brings at least {} of {} pairs together; {} loads are "
-                      "enough for {} at most",
-                      workers, needed, pairs, low,
-                      between ? most_between(low, room) : most_pairs(low, room))};
+  const std::uint64_t by_items = ceil_div(least_items, workers);
+  const std::uint64_t low = std::min(alone, std::max(by_items, least));
+  if (low > 0 && low == least) {
+    const std::uint64_t fewer = low - 1;
+    return {low, fmt::format("one of {} workers brings at least {} of {} pairs together, and with "
+                             "{} it brings at most {}",
+                             workers, needed, pairs, count_of(fewer, "load"),
+                             between ? most_between(fewer, room) : most_pairs(fewer, room))};
+  }
+  return {low, low == by_items
+                   ? fmt::format("{} workers load {} together: one of them at least {}", workers,
+                                 count_of(least_items, "item"), low)
+                   : fmt::format("one worker alone has at least {}", count_of(low, "load"))};
 }
 
 // All pairs of items: what several workers load is end to end a list in which they meet.
