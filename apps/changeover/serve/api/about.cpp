@@ -40,14 +40,41 @@ Response about(const Explorer& explorer) {
   return json_response(json.take() + "\n");
 }
 
-// The smallest parameters, by v, then k, for which each construction is among the best.
-std::map<std::string_view, Parameters> examples_of_constructions() {
+// The smallest parameters, by v, then k, that show a construction.
+struct Examples {
+  std::optional<Parameters> made;  // its design is the one that is shown
+  std::optional<Parameters> best;  // as few blocks as any
+  std::optional<Parameters> any;
+
+  [[nodiscard]] const std::optional<Parameters>& shown() const {
+    return made ? made : best ? best : any;
+  }
+};
+
+// Of each construction, by the change number; 0 is any.
+using ExamplesOf = std::map<std::pair<std::string_view, std::uint64_t>, Examples>;
+
+void add_examples(const Registry& registry, const Parameters& p, ExamplesOf& examples) {
+  const std::vector<Offer> offers = registry.offers(p);
+  for (const Offer& offer : offers) {
+    const Construction* const made = registry.find(offer.recipe.construction);
+    for (const std::uint64_t change : {std::uint64_t{0}, p.change}) {
+      Examples& of = examples[{made->name(), change}];
+      const auto take = [&](std::optional<Parameters>& place, bool fits) {
+        place = place || !fits ? place : std::optional(p);
+      };
+      take(of.any, true);
+      take(of.best, offer.b == offers.front().b);
+      take(of.made, &offer == &offers.front());
+    }
+  }
+}
+
+ExamplesOf examples_of_constructions() {
   constexpr std::uint64_t largest_v = 40;
   constexpr std::uint64_t largest_k = 8;
   constexpr std::uint64_t largest_change = 3;
-  std::map<std::string_view, Parameters> best;
-  std::map<std::string_view, Parameters> any;
-  const Registry& registry = Registry::standard();
+  ExamplesOf examples;
   Parameters p;
   for (p.v = 3; p.v <= largest_v; ++p.v) {
     for (p.k = 2; p.k <= std::min(largest_k, p.v); ++p.k) {
@@ -56,23 +83,31 @@ std::map<std::string_view, Parameters> examples_of_constructions() {
           stop_if_asked();
           p.change = change;
           p.kind = kind;
-          if (change > std::min(p.k, largest_change) || impossibility(p)) {
-            continue;
-          }
-          const std::vector<Offer> offers = registry.offers(p);
-          for (const Offer& offer : offers) {
-            const Construction* const made = registry.find(offer.recipe.construction);
-            any.emplace(made->name(), p);
-            if (offer.b == offers.front().b) {
-              best.emplace(made->name(), p);
-            }
+          if (change <= std::min(p.k, largest_change) && !impossibility(p)) {
+            add_examples(Registry::standard(), p, examples);
           }
         }
       }
     }
   }
-  best.merge(any);
-  return best;
+  return examples;
+}
+
+// That of any change number where there is none of this one.
+std::optional<Parameters> example_of(const ExamplesOf& examples, std::string_view construction,
+                                     std::uint64_t change = 0) {
+  auto found = examples.find({construction, change});
+  found = found == examples.end() ? examples.find({construction, 0}) : found;
+  return found == examples.end() ? std::nullopt : found->second.shown();
+}
+
+// Of the designs that a theorem is about, as the paragraph with its name says; 0 if it is several.
+std::uint64_t change_of(std::string_view statement) {
+  statement.remove_prefix(std::min(statement.find("**Theorem"), statement.size()));
+  statement = statement.substr(0, statement.find("\n\n"));
+  const bool single = statement.find("SCCD") != std::string_view::npos;
+  const bool twice = statement.find("DCCD") != std::string_view::npos;
+  return single == twice ? 0 : single ? 1 : 2;
 }
 
 void write_example(JsonWriter& json, const std::optional<Parameters>& p) {
@@ -89,8 +124,7 @@ std::string constructions_json() {
     json.key("name").value(each->name()).key("summary").value(each->summary());
     json.key("citation").value(each->citation().to_string());
     json.key("serves").value(each->preconditions()).key("gives").value(each->guarantee());
-    const auto found = examples.find(each->name());
-    write_example(json, found == examples.end() ? std::nullopt : std::optional(found->second));
+    write_example(json, example_of(examples, each->name()));
   });
   return json.take() + "\n";
 }
@@ -133,10 +167,8 @@ std::string theorems_json() {
     std::optional<Parameters> example;
     for (const Construction* each : Registry::standard().constructions()) {
       const std::string cited = each->citation().to_string();
-      const auto found = examples.find(each->name());
-      if (!example && found != examples.end() &&
-          cited.ends_with("docs/theorems.md, Theorem " + theorem.number + "]")) {
-        example = found->second;
+      if (!example && cited.ends_with("docs/theorems.md, Theorem " + theorem.number + "]")) {
+        example = example_of(examples, each->name(), change_of(theorem.statement));
       }
     }
     write_example(json, example);
