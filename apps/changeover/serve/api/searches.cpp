@@ -73,6 +73,21 @@ void check_way(const SearchOrder& order) {
   }
 }
 
+unsigned threads_of(JsonBody& body) {
+  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const Refusal wrong{422, fmt::format("threads: write 1 to {}, as many as this machine has", cores)};
+  std::uint64_t threads = 0;
+  try {
+    threads = body.number("threads").value_or(1);
+  } catch (const Refusal&) {  // Which says that it is no whole number, and not which are.
+    throw wrong;
+  }
+  if (threads < 1 || threads > cores) {
+    throw wrong;
+  }
+  return static_cast<unsigned>(threads);
+}
+
 SearchOrder order_of(const Request& request) {
   constexpr double most_seconds = 86'400;
   JsonBody body(request.body);
@@ -104,12 +119,7 @@ SearchOrder order_of(const Request& request) {
   if (order.seconds <= 0 || order.seconds > most_seconds) {
     throw Refusal{422, fmt::format("seconds: write more than 0 and at most {}", most_seconds)};
   }
-  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const std::uint64_t threads = body.number("threads").value_or(1);
-  if (threads < 1 || threads > cores) {
-    throw Refusal{422, fmt::format("threads: write 1 to {}, as many as this machine has", cores)};
-  }
-  order.threads = static_cast<unsigned>(threads);
+  order.threads = threads_of(body);
   order.seed = body.number("seed").value_or(1);
   body.finish();
   check(p);
