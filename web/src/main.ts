@@ -6,6 +6,7 @@ import { catalog } from './pages/catalog';
 import { cell } from './pages/cell';
 import { design } from './pages/design';
 import { get } from './pages/get';
+import { glossary } from './pages/glossary';
 import { home } from './pages/home';
 import { loadorder } from './pages/loadorder';
 import { plan } from './pages/plan';
@@ -31,6 +32,7 @@ const pages: readonly Page[] = [
   verify,
   theorems,
   get,
+  glossary,
 ].map((page) => (page.live ? whereThereIsAServer(page) : page));
 
 function element(id: string): HTMLElement {

@@ -308,3 +308,9 @@ test('it looks right', async (explorer) => {
   await look(all, 'catalog-tight');
   await all.close();
 });
+
+test('ranges of an address that are none are said, and blank cells are in the legend', async (explorer) => {
+  const page = await explorer.open('#/catalog?k=5..3&v=zz');
+  await page.getByRole('alert').filter({ hasText: 'k = 5..3 and v = zz' }).waitFor();
+  await page.locator('.legend', { hasText: 'blank: there can be none' }).waitFor();
+});

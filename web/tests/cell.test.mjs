@@ -167,7 +167,7 @@ test('what the signs of a bound mean stands beside it', async (explorer) => {
   const degree = page.locator('.bounds tr', { hasText: 'degree' });
   await degree.getByText('how many times').waitFor();
   const said = await degree.locator('.defined').textContent();
-  for (const meaning of ['is introduced', 'how many blocks contain', 'newly covered pairs']) {
+  for (const meaning of ['is introduced', 'how many blocks contain', 'newly covered again']) {
     assert.ok(said.includes(meaning), said);
   }
   assert.equal(
@@ -183,4 +183,50 @@ test('recipes of triples lead to triples, and signs in them are set', async (exp
   const text = page.locator('.recipe-node', { hasText: 'short-long-runs' });
   await text.locator('math', { hasText: '∞' }).first().waitFor();
   assert.ok(!(await text.textContent()).includes('∞_'));
+});
+
+test('a dossier is a page with its style, works in words and no line wider than a phone', async (explorer) => {
+  const page = await explorer.open('#/cell?v=9&k=3&change=1');
+  const to = await page.getByRole('link', { name: 'a page' }).getAttribute('href');
+  await page.goto(new URL(to, page.url()).href);
+  const heading = page.getByRole('heading', { level: 1 });
+  assert.equal(await heading.textContent(), 'A circular SCCD(9,3) with 18 blocks');
+  const body = page.locator('body');
+  assert.ok((await body.evaluate((it) => it.clientWidth)) < 900, 'its own style holds');
+  assert.ok(!/\[[A-Z][A-Za-z]+\d{4}/.test(await body.textContent()), 'no keys in the text');
+  await page
+    .locator('li', { hasText: 'stays' })
+    .getByRole('link', { name: /^Theorem 5/ })
+    .waitFor();
+  await page.emulateMedia({ colorScheme: 'dark' });
+  assert.notEqual(
+    await body.evaluate((it) => getComputedStyle(it).backgroundColor),
+    'rgb(255, 255, 255)',
+  );
+  await page.setViewportSize({ width: 390, height: 844 });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  await page
+    .getByRole('link', { name: /^Theorem 5/ })
+    .first()
+    .click();
+  await page.locator('#theorem-5.chosen').waitFor();
+});
+
+test('cells without designs are alike: why, and what is around', async (explorer) => {
+  const page = await explorer.open('#/cell?v=4&k=5');
+  for (const cell of ['v=4&k=5', 'v=6&k=5']) {
+    await page.goto(page.url().replace(/#.*/, `#/cell?${cell}&change=2&kind=circular`));
+    await page.locator('.note', { hasText: 'There is none: ' }).waitFor();
+    await page.getByRole('heading', { name: 'Around this cell' }).waitFor();
+  }
+  await page.goto(page.url().replace(/#.*/, '#/cell?v=0&k=0'));
+  await page.getByRole('heading', { name: 'Which cell?' }).waitFor();
+});
+
+test('a bound that rests on the stays links their theorem', async (explorer) => {
+  const page = await explorer.open('#/cell?v=9&k=4&change=2&kind=linear');
+  await page
+    .locator('.bounds tr', { hasText: 'degree program' })
+    .getByRole('link', { name: 'Theorem 5' })
+    .waitFor();
 });

@@ -381,3 +381,41 @@ test('it looks right', async (explorer) => {
   await look(circle, 'design-circle');
   await circle.close();
 });
+
+test('what cannot be selected is said', async (explorer) => {
+  const page = await explorer.open('#/design?v=20&k=5&show=recipe');
+  const field = page.getByRole('textbox', { name: 'Select an element or a pair' });
+  const alert = page.getByRole('alert').filter({ hasText: 'Elements are 0 to 19.' });
+  for (const wrong of ['3 99', 'x']) {
+    await field.fill(wrong);
+    await field.press('Enter');
+    await alert.waitFor();
+    assert.equal(await field.getAttribute('aria-invalid'), 'true');
+  }
+  await field.fill('3 7');
+  await field.press('Enter');
+  await alert.waitFor({ state: 'detached' });
+  // Below a short tab there is no empty band.
+  await page.locator('.recipe').waitFor();
+  const panel = await page.getByRole('tabpanel').boundingBox();
+  const text = await page.locator('.recipe').boundingBox();
+  assert.ok(panel.height < text.height + 60, `${panel.height} ${text.height}`);
+});
+
+test('squares of a selected pair keep their colour', async (explorer) => {
+  const page = await explorer.open('#/design?v=20&k=5&at=4&sel=3~7');
+  const middle = await page.locator('.coverage-over').evaluate((canvas) => {
+    const side = canvas.width / 20;
+    const at = [Math.floor(3.5 * side), Math.floor(7.5 * side)];
+    return [...canvas.getContext('2d').getImageData(...at, 1, 1).data];
+  });
+  assert.deepEqual(middle, [0, 0, 0, 0]);
+  await page.goto(page.url().replace(/#.*/, '#/design?v=20&k=5&show=coverage'));
+  const colours = await page
+    .locator('.key-more')
+    .evaluate((key) => [
+      getComputedStyle(key).backgroundColor,
+      getComputedStyle(document.documentElement).getPropertyValue('--mark'),
+    ]);
+  assert.notEqual(colours[0], 'rgb(214, 0, 108)', colours[1]);
+});

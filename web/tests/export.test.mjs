@@ -259,3 +259,9 @@ test('nothing but files was asked for', () => {
     [],
   );
 });
+
+test('what a copy lacks is said, and not asked for', async (explorer) => {
+  const page = await explorer.open('#/cell?v=20&k=5&change=1&kind=circular');
+  await page.getByText(/it has designs with m\s=\s2, .* and none with m\s=\s1/).waitFor();
+  assert.ok(!asked.some((path) => /cells.*20\.5\.1/.test(path)), 'no file is asked for');
+});

@@ -450,3 +450,22 @@ test('on a phone the answer comes into sight when it was asked for', async (expl
     assert.ok(await inSight(answer));
   }
 });
+
+test('both levels fit a phone, and a step takes as many lines as it needs', async (explorer) => {
+  const page = await explorer.open('#/loadorder?items=64&room=16&fast=4');
+  const first = page.getByRole('listitem').filter({ hasText: /^1load/ });
+  await first.waitFor();
+  assert.equal(await first.evaluate((it) => it.offsetHeight), 28);
+  await page.setViewportSize({ width: 390, height: 844 });
+  const frame = page.getByRole('region', { name: 'What both levels move' });
+  assert.equal(await frame.evaluate((it) => it.scrollWidth - it.clientWidth), 0);
+});
+
+test('why the busiest worker cannot have fewer loads is counted with one load less', async (explorer) => {
+  const page = await explorer.open('#/loadorder?items=64&room=16&workers=4&prefetch=1');
+  await page.getByText('the busiest has 51 loads. With one place kept').waitFor();
+  await page.getByText('Why not fewer').click();
+  await page
+    .getByText(/With room for 15: one of 4 workers .* and with 43 loads it brings at most \d+/)
+    .waitFor();
+});

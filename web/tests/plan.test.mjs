@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { look, program, screenshots, settled } from './support/browser.mjs';
 import { inSight, phone } from './support/phone.mjs';
 import {
@@ -422,4 +423,26 @@ test('on a phone the form folds to a line, and what is found comes into sight', 
   await page.keyboard.press('Enter');
   await page.locator('.problem').waitFor();
   assert.ok(await form.isVisible());
+});
+
+test('a part without a slot is named where the room is asked for', async (explorer) => {
+  const page = await explorer.open('#/plan', { mayFail: /422/ });
+  await page
+    .getByLabel('A file with a list of parts')
+    .setInputFiles(join(dirname(fileURLToPath(import.meta.url)), '../../examples/server.csv'));
+  await page.locator('.plan-news .note').waitFor();
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await page.getByText('NIC 10G has no slot, so say how many parts fit at once').waitFor();
+});
+
+test('where parts have costs of their own all of them grow together', async (explorer) => {
+  const page = await explorer.open('#/plan');
+  await hurried(page);
+  await page.getByRole('link', { name: 'a server with slots' }).click();
+  await planned(page);
+  const times = page.getByRole('spinbutton', { name: 'All change costs, times', exact: true });
+  assert.equal(await times.inputValue(), '1');
+  assert.ok(await page.getByRole('button', { name: 'Replan at these costs' }).isDisabled());
+  await times.fill('2');
+  assert.ok(await page.getByRole('button', { name: 'Replan at these costs' }).isEnabled());
 });

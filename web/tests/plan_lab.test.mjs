@@ -13,6 +13,7 @@ import {
   give,
   hurried,
   nameOf,
+  open,
   planNine,
   planned,
   press,
@@ -333,14 +334,14 @@ test('three benches: a sheet each; a part is on one bench at a time', async (exp
   // A test begins when the one before it on its bench ends, or on another day; the last one's end
   // is that of the bench.
   for (const sheet of await page.locator('.bench-sheet').all()) {
-    const begins = await sheet.locator('td.of-when').allTextContents();
+    const begins = await sheet.locator('td.of-when').allInnerTexts();
     const ends = await sheet.locator('td.of-sum').allTextContents();
     assert.match(ends.join(), /^(day \d+, \d+:\d\d,?)+$/);
     const sameDay = (one, other) => one.split(',')[0] === other.split(',')[0];
     begins.slice(1).forEach((begin, i) => {
       assert.ok(begin === ends[i] || !sameDay(begin, ends[i]), `${ends[i]}, then ${begin}`);
     });
-    assert.match(await sheet.locator('h3').textContent(), new RegExp(`, done ${ends.at(-1)}$`));
+    assert.match(await sheet.locator('h3').textContent(), new RegExp(`, done on ${ends.at(-1)}$`));
   }
 
   // Its workbook holds the whole question: on a page that knows nothing it comes back with results,
@@ -400,4 +401,20 @@ test('three benches: a sheet each; a part is on one bench at a time', async (exp
   await page.getByRole('button', { name: 'Replan the remaining tests' }).click();
   await page.getByText('1 test done; for the rest').waitFor({ timeout: 60_000 });
   await look(page, 'plan-benches');
+});
+
+test('benches are cards with all of their fields, and tests say when they begin and end', async (explorer) => {
+  const page = await explorer.open('#/plan');
+  await hurried(page);
+  await page.getByRole('link', { name: 'three benches' }).click();
+  await planned(page);
+  await open(page, 'Several benches');
+  const frame = page.getByRole('region', { name: 'Benches' });
+  assert.equal(await frame.evaluate((it) => it.scrollWidth - it.clientWidth), 0);
+  assert.ok(await frame.getByRole('checkbox', { name: 'Out of order, bench 1' }).isVisible());
+  await page.getByText(/hours of work on all benches together/).waitFor();
+  await page.setViewportSize({ width: 390, height: 844 });
+  const when = page.locator('.run-sheet tbody .of-when').first();
+  assert.match(await when.innerText(), /^day 1, \d+:\d\d · ends \d+:\d\d$/);
+  assert.ok(await page.locator('.run-sheet tbody .of-sum').first().isHidden());
 });

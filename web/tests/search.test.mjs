@@ -248,3 +248,20 @@ test('on a phone nothing scrolls sideways but the frames', async (explorer) => {
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
   await phone(page, 'search');
 });
+
+test('a search that finds nothing stands beside what is known of its cell', async (explorer) => {
+  const page = await explorer.open('#/search?v=9&k=4&way=base-blocks&seconds=10');
+  await page.getByRole('button', { name: 'Start' }).click();
+  const bar = page.getByRole('list', { name: 'Numbers of blocks' });
+  await bar.getByText('the minimum').waitFor();
+  await bar.locator('.beside', { hasText: 'this search' }).waitFor();
+  assert.deepEqual(await bar.locator('.best strong').allTextContents(), ['8']);
+});
+
+test('threads that there are not are marked in their field', async (explorer) => {
+  const page = await explorer.open('#/search?v=9&k=4&threads=-3', { mayFail: /422/ });
+  await page.getByRole('button', { name: 'Start' }).click();
+  await page.getByText(/^threads: write 1 to \d+/).waitFor();
+  const threads = page.getByRole('spinbutton', { name: 'Threads' });
+  assert.equal(await threads.getAttribute('aria-invalid'), 'true');
+});

@@ -117,3 +117,16 @@ test('with less motion nothing moves by itself', async (explorer) => {
   );
   assert.equal(await page.evaluate(() => document.getAnimations().length), 0);
 });
+
+test('each term has an address', async (explorer) => {
+  const page = await explorer.open('#/glossary?term=group');
+  const chosen = page.locator('dt.chosen');
+  assert.equal(await chosen.textContent(), 'automorphism, group');
+  assert.ok(await chosen.evaluate((it) => it.getBoundingClientRect().bottom < window.innerHeight));
+  await page.getByRole('link', { name: 'tight', exact: true }).click();
+  await page.locator('dt.chosen', { hasText: 'tight' }).waitFor();
+  assert.match(page.url(), /#\/glossary\?term=tight$/);
+  await look(page, 'glossary');
+  await page.goto(page.url().replace(/#.*/, '#/glossary?term=nothing'));
+  await page.getByRole('alert').filter({ hasText: 'no term “nothing”' }).waitFor();
+});

@@ -227,3 +227,26 @@ test('formulas in sight are set before all others', async (explorer) => {
   assert.ok(seen > 5 && order.length > 5 * seen, `${seen} of ${order.length} in sight`);
   assert.ok(order.slice(0, seen).every(Boolean), 'those in sight came first');
 });
+
+test('works across lines are named, constructions linked, and examples are of the theorem', async (explorer) => {
+  const page = await explorer.open('#/theorems?theorem=3');
+  await page.locator('#theorem-3 .example', { hasText: 'DCCD' }).waitFor();
+  await page.locator('#theorem-2 details.proof summary').click();
+  await page
+    .locator('#theorem-2')
+    .getByRole('link', { name: 'Chafee and Stevens 2025, Theorem 3' })
+    .waitFor();
+  const construction = page
+    .locator('#theorem-16')
+    .getByRole('link', { name: 'cyclic-with-groups' });
+  assert.equal(
+    await construction.getAttribute('href'),
+    '#/theorems?construction=cyclic-with-groups',
+  );
+  for (const number of [18, 23, 25, 26]) {
+    const statement = await page
+      .locator(`#theorem-${number} .prose > :not(details)`)
+      .allInnerTexts();
+    assert.ok(!/P_a|_of_|cost_bound|at_once|\.hpp/.test(statement.join(' ')), `Theorem ${number}`);
+  }
+});

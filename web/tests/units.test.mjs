@@ -149,13 +149,15 @@ test('the look-up box understands cells, labels and designs', () => {
     assert.ok('problem' in understand(wrong, 2, 'linear'), wrong);
   }
   assert.match(understand('5 23', 2, 'linear').problem, /write v first, as 23 5\.$/);
+  assert.match(understand('-3 5', 2, 'linear').problem, /without a sign/);
+  assert.match(understand('0 0', 2, 'linear').problem, /v = 0, k = 0: both .* from 1 on/);
   assert.equal(to('5 5'), '#/cell?v=5&k=5&change=2&kind=circular');
 });
 
 test('messages about a job name the fields of the form', () => {
   assert.equal(
     inWords('give at_once, how many parts fit at once: Sensor is in no slot'),
-    'Sensor is in no slot: name its slot in the list, or write “How many fit at once”.',
+    'Sensor has no slot, so say how many parts fit at once, or give it a slot.',
   );
   assert.equal(inWords('give at_once, how many parts fit at once'), 'write “How many fit at once”');
   assert.equal(inWords('parts[2]: no name'), 'Parts, row 3: no name');

@@ -29,7 +29,15 @@ test('formulas in text: what is mathematics and what is not', async () => {
     ['b = tp + 1 and cu + 2t − 1, at least', '⟦b=tp+1⟧ and ⟦cu+2t-1⟧, at least'],
     ['Σ A_x ≤ nk, at most sn, which', '⟦\\sum A_{x}\\le nk⟧, at most ⟦sn⟧, which'],
     ['it is so: by ms and km, of us', 'it is so: by ms and km, of us'],
-    ['It is a design, as I said.', 'It is a design, as I said.'],
+    ['It is a design. A list, or a 3-design:', 'It is a design. A list, or a 3-design:'],
+    ['(a) the first, as a list = a design', '(a) the first, as a list = a design'],
+    ['over all T and I that', 'over all ⟦T⟧ and ⟦I⟧ that'],
+    ['T + max(A, B, C). Here A, B and C', '⟦T+ \\max (A,\\, B,\\, C)⟧. Here ⟦A⟧, ⟦B⟧ and ⟦C⟧'],
+    ['at least 5k − 3 − 2a − b stays', 'at least ⟦5k-3-2a-b⟧ stays'],
+    ['put min(a, k−1) for a, and', 'put ⟦\\min (a,\\, k-1)⟧ for ⟦a⟧, and'],
+    ['min(b, k−1−a) for every a.', '⟦\\min (b,\\, k-1-a)⟧ for every ⟦a⟧.'],
+    ['for a ≠ b, and P_{aa} ≤ C(c_a,2)', 'for ⟦a\\ne b⟧, and ⟦P_{aa}\\le \\tbinom{c_{a}}{2}⟧'],
+    ['fewer than 1 + a + b parameters', 'fewer than ⟦1+a+b⟧ parameters'],
     ['the theorem’s proof', 'the theorem’s proof'],
   ]) {
     assert.equal(set(text), shown, text);

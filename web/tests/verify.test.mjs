@@ -317,3 +317,12 @@ test('a list of triples is told in triples, and leads to what is known of them',
     /strength=3/,
   );
 });
+
+test('the excess of a list with missing pairs is what is newly covered again', async (explorer) => {
+  const page = await explorer.open('#/verify');
+  await page.getByRole('link', { name: 'one with missing pairs' }).click();
+  const excess = page.locator('.verify-facts tr', { hasText: 'excess' });
+  // 33 of 36 pairs are covered: 41 − 33.
+  await excess.getByText('8 of 41 newly covered').waitFor();
+  await excess.getByText('newly covered again').waitFor();
+});

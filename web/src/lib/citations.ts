@@ -41,15 +41,16 @@ export function scholarly(text: string, theorem: (number: string) => string): Ch
       /(\d+\.\d+\.\d+\.(?:circular|linear)(?:\.t\d+)?\.\d+\.[0-9a-f]{8})/, // a label
       /((?:changeover )?search \d+ \d+ [^;:]*|changeover \d[\w.]*|\d{4}-\d\d-\d\d)/,
       /`([^`]+)`/,
-      /\[([A-Z][A-Za-z]+(?:\d{4}[a-z]?|-\d)?)((?:, [^\]\[]*)?)\]/,
-      /docs\/theorems\.md, (Theorem|Proposition|Lemma) (\d+)/,
+      /\[([A-Z][A-Za-z]+(?:\d{4}[a-z]?|-\d)?)((?:,\s[^\]\[]*)?)\]/,
+      /docs\/theorems\.md,\s(Theorem|Proposition|Lemma)\s(\d+)/,
+      /(?<=the stays of )Theorem (\d+)/,
     ]
       .map((each) => each.source)
       .join('|'),
   );
   let rest = text;
   for (let match = pattern.exec(rest); match; match = pattern.exec(rest)) {
-    const [all, label, verbatim, code, key, place, what, number] = match;
+    const [all, label, verbatim, code, key, place, what, number, ours] = match;
     found.push(...mathText(rest.slice(0, match.index)));
     if (label !== undefined) {
       found.push(h('a', { class: 'code', href: `#/design?label=${label}` }, label));
@@ -58,7 +59,11 @@ export function scholarly(text: string, theorem: (number: string) => string): Ch
     } else if (code !== undefined) {
       found.push(h('code', {}, code));
     } else if (key !== undefined) {
-      found.push(...(key in works ? ['[', work(key, place ?? ''), ']'] : [all]));
+      found.push(
+        ...(key in works ? ['[', work(key, (place ?? '').replace(/\s+/g, ' ')), ']'] : [all]),
+      );
+    } else if (ours !== undefined) {
+      found.push(h('a', { href: theorem(ours) }, `Theorem ${ours}`));
     } else {
       found.push(
         what === 'Theorem'

@@ -37,7 +37,7 @@ const designs = new Set(['SCCD', 'DCCD']);
 /** Pairs of letters that are words wherever they stand. */
 const words = new Set(
   (
-    'a A I am an as at be by do go he if in is it me my no of on or so to up us we ' +
+    'a A am an as at be by do go he if in is it me my no of on or so to up us we ' +
     'If In It So To On At By No Of We An As Is Be vs'
   ).split(' '),
 );
@@ -55,6 +55,24 @@ function isProduct(pair: string, before: string, behind: string): boolean {
     joined.before.test(before) ||
     joined.behind.test(behind) ||
     (!/[aeiouy]/.test(pair) && !shorts.has(pair) && !/[./]$/.test(before) && !/^\.\w/.test(behind))
+  );
+}
+
+/**
+ * Whether a letter that can be a word is a variable where it stands: it has an index, is beside a
+ * sign of mathematics, or where no article can be.
+ */
+function isNamed(sign: string, before: string, behind: string): boolean {
+  if (sign.length > 1) {
+    return false;
+  }
+  const article = sign === 'a' || sign === 'A';
+  return (
+    /^(?:[_^]| [=≤≥≠≡<>+−·∖∪∩⊂∈] )/.test(behind) ||
+    (article && /[\d(−+·/]$/.test(before) && /^[,−+·/]/.test(behind)) ||
+    (article && /[\d−+·/]$|[=≤≥<>+−·] $/.test(before) && /^(?:$|[,.;:)]| [+−·/] )/.test(behind)) ||
+    (sign === 'a' && /\s$/.test(before) && /^[,.;:]/.test(behind)) ||
+    (sign === 'A' && /^(?:, | and )[A-Z](?!\p{L})/u.test(behind))
   );
 }
 
@@ -144,7 +162,7 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
       return null;
     }
     const behind = rest.slice(run.length);
-    const named = plain.length === 1 && /^(?:[_^]| [=∖∪∩⊂∈] )/.test(behind);
+    const named = isNamed(plain, text.slice(Math.max(0, at - 2), at), behind);
     if (
       !sure &&
       !named &&

@@ -4,7 +4,10 @@ import { h, type Child } from './dom';
 import { inline, parse, type Inline, type Part } from './markdown';
 import { displayed, type Line } from './mathematics';
 
-/** Where a link of the text leads in these pages; null: it is shown as words only. */
+/**
+ * Where a link of the text leads in these pages; null: it is shown as words only. Code is asked for
+ * in its backticks.
+ */
 type Links = (to: string) => string | null;
 
 /** Text and its scripts as they were written: B_{i+1}. */
@@ -39,9 +42,12 @@ function nodes(parts: readonly Inline[], links: Links): Child[] {
     switch (part.is) {
       case 'text':
         break;
-      case 'code':
-        found.push(h('code', {}, part.text));
+      case 'code': {
+        const to = links(`\`${part.text}\``);
+        const code = h('code', {}, part.text);
+        found.push(to === null ? code : h('a', { href: to }, code));
         break;
+      }
       case 'link': {
         const to = links(part.to);
         found.push(

@@ -12,14 +12,14 @@ export const terms = {
   tight: 'every pair is newly covered exactly once, so nothing is wasted',
   economical: 'has exactly as many blocks as counting pairs requires',
   minimum: 'no design with these parameters has fewer blocks',
-  excess: 'number of newly covered pairs, counted with repetition, beyond the number of pairs',
+  excess: 'how often pairs are newly covered again, after the first time',
   covered: 'two elements are covered when they are together in a block',
   introduced: 'an element is introduced in a block if it was not in the block before',
   leaving: 'an element is leaving if it is not in the next block',
   unchanged: 'what two consecutive blocks have in common',
   introductions: 'i_x: how many times x is introduced',
   occurrences: 'r_x: how many blocks contain x',
-  surplus: 'e_x: number of newly covered pairs with x beyond v − 1',
+  surplus: 'e_x: how often pairs with x are newly covered again',
 } as const;
 
 /** The same for designs of that strength: those of pairs say what they are of triples. */
@@ -33,8 +33,8 @@ export function termsOf(strength: number): Record<keyof typeof terms, string> {
         valid: `every ${set} of elements is in some block, and every step changes exactly m elements`,
         tight: `every ${set} is newly covered exactly once, so nothing is wasted`,
         economical: `has exactly as many blocks as counting ${sets} requires`,
-        excess: `number of newly covered ${sets}, counted with repetition, beyond the number of ${sets}`,
-        surplus: `e_x: number of newly covered ${sets} with x beyond C(v − 1, ${strength - 1})`,
+        excess: `how often ${sets} are newly covered again, after the first time`,
+        surplus: `e_x: how often ${sets} with x are newly covered again`,
       };
 }
 
@@ -45,7 +45,11 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
     'a list of blocks, each with k of v elements; every two elements are together in some ' +
       'block, and consecutive blocks differ in exactly m elements',
   ],
-  ['SCCD(v, k), DCCD(v, k)', 'single-change (m = 1) and double-change (m = 2) covering designs'],
+  [
+    'SCCD(v, k), DCCD(v, k)',
+    'single-change (m = 1) and double-change (m = 2) covering designs; a third number is that of ' +
+      'blocks: DCCD(v, k, b)',
+  ],
   [
     'element',
     'what the blocks are made of: parts of a test, items of a data set, or numbers 0 to v − 1',
@@ -74,7 +78,7 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
   ['gap', 'number of blocks of the best known design minus the lower bound'],
   ['minimum', terms.minimum],
   ['best known', 'the design with the fewest blocks that is known; one with fewer may exist'],
-  ['open', 'no design is known, and none is excluded'],
+  ['open', 'no design with that many blocks is known, and none is excluded'],
   ['tight', 'every pair is newly covered exactly once'],
   ['economical', terms.economical],
   ['excess', terms.excess],
@@ -110,3 +114,21 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
   ],
   ['test, set-up', 'parts that are mounted together at one time'],
 ];
+
+/** A term in an address: "standard-form-class". */
+export const termAt = (term: string): string =>
+  term
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, '-')
+    .replace(/^-|-$/g, '');
+
+/** The term that an address names, by all of its words or by one of its names; null if none is. */
+export function termOf(address: string): string | null {
+  const wanted = termAt(address);
+  const all = glossary.map(([term]) => term);
+  return (
+    all.find((term) => termAt(term) === wanted) ??
+    all.find((term) => term.split(', ').some((name) => termAt(name) === wanted)) ??
+    null
+  );
+}

@@ -39,7 +39,7 @@ export const kinds: readonly (readonly [Kind, string])[] = [
 export const changes: readonly (readonly [string, string])[] = [
   ['1', 'single-change (m = 1)'],
   ['2', 'double-change (m = 2)'],
-  ['3', 'triple-change (m = 3)'],
+  ['3', '3-change (m = 3)'],
 ];
 
 /** What a static copy has: "k = 3 to 6 and v = 4 to 30" */

@@ -474,7 +474,23 @@ export const catalog: Page = {
       complete,
     );
     document.addEventListener('themechange', paint, { signal: view.signal });
+    const wrong = (['k', 'v'] as const).filter(
+      (name) => view.params.has(name) && readRange(param(name, '')) === null,
+    );
+    const asWritten = wrong.map((name) => `${name} = ${param(name, '')}`).join(' and ');
     await redraw();
+    if (wrong.length > 0 && !view.signal.aborted) {
+      const what = wrong.length === 1 ? 'which is no range' : 'which are no ranges';
+      fill(
+        said,
+        problem(
+          new Error(
+            `The address asks for ${asWritten}, ${what}: all ${wrong.join(' and ')} are shown. ` +
+              'Write 3..12, or one number.',
+          ),
+        ),
+      );
+    }
     // The other selections are fetched while nothing else happens, one after another, so that
     // choosing one takes no time and does not wait for all of them.
     const others = [1, 2, 3].flatMap((change) =>

@@ -8,7 +8,7 @@ import { formula } from '../lib/mathematics';
 import { cellDetail, designOf, dossierAddress, explain, isHeld } from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
-import { changeWord, count, nameOf, number, rangeWords, ratio } from '../lib/words';
+import { changeWord, count, nameOf, number, ratio } from '../lib/words';
 import { command } from '../parts/command';
 import { copyButton } from '../parts/copy';
 import { downloads } from '../parts/downloads';
@@ -17,14 +17,12 @@ import { ladder } from '../parts/ladder';
 import { defined, reason, recipeTree } from '../parts/recipe';
 import { badge } from '../parts/status';
 import { thumbnail } from '../parts/thumbnail';
-import { about, isCopy } from '../shell/about';
+import { isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
+import { at } from './cell/address';
+import { beyondTheCopy, exchanged, tooLarge } from './cell/none';
 import { madeBy, origins } from './cell/designs';
 import { neighbourhood } from './cell/neighbours';
-
-function at(cell: Cell, changes: Partial<Cell> = {}): string {
-  return link('cell', { ...cell, ...changes });
-}
 
 /** The same with other parameters. Arrow keys go to neighbours, too. */
 function others(cell: Cell): HTMLElement {
@@ -61,21 +59,6 @@ function others(cell: Cell): HTMLElement {
         ),
       ),
     ),
-  );
-}
-
-/** Where v and k were likely exchanged. */
-function exchanged(cell: Cell): HTMLElement | false {
-  return (
-    cell.k > cell.v &&
-    cell.v >= 2 &&
-    h(
-      'p',
-      {},
-      'If v and k were exchanged: ',
-      h('a', { href: at(cell, { v: cell.k, k: cell.v }) }, `v = ${cell.k}, k = ${cell.v}`),
-      '.',
-    )
   );
 }
 
@@ -390,20 +373,28 @@ function picture(cell: Cell, design: Design, place: HTMLElement, signal: AbortSi
   );
 }
 
+function showAround(cell: Cell, place: HTMLElement, signal: AbortSignal): void {
+  neighbourhood(cell, signal).then(
+    (map) => map && fill(place, h('h2', {}, 'Around this cell'), map),
+    () => undefined, // All else is there.
+  );
+}
+
 export const cell: Page = {
   path: 'cell',
   title: 'Cell',
   hidden: true,
   async render(view: View) {
     const wanted = cellOf(view.params);
-    if (!wanted) {
+    if (!wanted || wanted.v < 1 || wanted.k < 1) {
       fill(
         view.root,
         h('h1', {}, 'Which cell?'),
         h(
           'p',
           {},
-          'The address does not name one: v and k must be numbers, kind circular or linear. ' +
+          'The address does not name one: v and k must be whole numbers from 1 on, and kind ' +
+            'circular or linear. ' +
             'Choose a cell in the ',
           h('a', { href: link('catalog') }, 'catalog'),
           ', or write it into the address, as ',
@@ -445,6 +436,18 @@ export const cell: Page = {
     const begin = (): void => fill(view.root, head, under, body);
     walk(view, wanted);
     const frozen = isCopy();
+    if (frozen && !(await isHeld(wanted))) {
+      begin();
+      fill(body, await beyondTheCopy(wanted), exchanged(wanted));
+      return;
+    }
+    if (wanted.k > wanted.v) {
+      const around = h('section', { class: 'around-place', 'aria-label': 'Cells around this one' });
+      begin();
+      fill(body, tooLarge(wanted), exchanged(wanted), others(wanted), around);
+      showAround(wanted, around, view.signal);
+      return;
+    }
     let detail: CellDetail;
     try {
       detail = await waiting(cellDetail(wanted, view.signal), view.signal, () => {
@@ -457,14 +460,9 @@ export const cell: Page = {
         fill(body, await beyondTheCopy(wanted), exchanged(wanted));
         return;
       }
-      if (wanted.k <= wanted.v || view.signal.aborted) {
-        fill(body);
-        begin();
-        throw fault;
-      }
-      fill(body, problem(fault), exchanged(wanted));
-      fill(view.root, head, under, body);
-      return;
+      fill(body);
+      begin();
+      throw fault;
     }
     const recipe = h('div', { class: 'recipe-place' }, h('p', { class: 'hint' }, 'Asking …'));
     begin();
@@ -507,10 +505,7 @@ export const cell: Page = {
         ),
       ),
     );
-    neighbourhood(wanted, view.signal).then(
-      (map) => map && fill(around, h('h2', {}, 'Around this cell'), map),
-      () => undefined,
-    );
+    showAround(wanted, around, view.signal);
     if (!detail.best) {
       return;
     }
@@ -545,24 +540,6 @@ export const cell: Page = {
     }
   },
 };
-
-/** What a static copy says of a cell that it does not have, and the way to those that it has. */
-async function beyondTheCopy(cell: Cell): Promise<HTMLElement> {
-  const { range } = await about();
-  const { change, kind } = cell;
-  const there = range?.changes.includes(change) ? { change, kind } : {};
-  return h(
-    'p',
-    { class: 'note', role: 'status' },
-    'This static copy does not have it',
-    range && `: it has designs with ${rangeWords(range)}`,
-    '. See those ',
-    h('a', { href: link('catalog', there) }, 'on the map'),
-    '; ',
-    h('code', {}, 'changeover serve'),
-    ' on a machine of your own shows every cell and design.',
-  );
-}
 
 function explaining(cell: Cell): string {
   return (

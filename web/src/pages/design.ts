@@ -403,6 +403,7 @@ export const design: Page = {
       { name: 'blocks', title: 'Blocks', draw: (panel) => textTab(shown, panel) },
     ];
     const selected = h('div', { class: 'selected-words' });
+    const notSelected = h('div', { role: 'alert' });
     const wantedElements = h('input', {
       type: 'text',
       id: 'select-elements',
@@ -416,9 +417,11 @@ export const design: Page = {
         class: 'select-form',
         onsubmit: (event) => {
           event.preventDefault();
-          chosen.chooseByName(wantedElements.value)
+          const wrong = chosen.chooseByName(wantedElements.value);
+          wrong === ''
             ? wantedElements.removeAttribute('aria-invalid')
             : wantedElements.setAttribute('aria-invalid', 'true');
+          fill(notSelected, wrong && h('p', { class: 'problem' }, wrong));
         },
       },
       wantedElements,
@@ -485,7 +488,7 @@ export const design: Page = {
           'bounds, history and citation',
         ),
       ),
-      h('div', { class: 'selected' }, bySelf, selected),
+      h('div', { class: 'selected' }, bySelf, notSelected, selected),
       tabs('What to show of the design', all, start, view.signal, (which) =>
         view.go({ show: which }, { quiet: true }),
       ),

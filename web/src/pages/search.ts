@@ -122,18 +122,19 @@ async function render(view: View): Promise<void> {
   const time = select(params.get('seconds') ?? '60', times, (seconds) =>
     view.go({ seconds }, { quiet: true }),
   );
-  const threads = h('input', {
-    type: 'number',
-    min: 1,
-    value: params.get('threads') ?? 1,
-    onchange: () => view.go({ threads: threads.value }, { quiet: true }),
-  });
-  const seed = h('input', {
-    type: 'number',
-    min: 0,
-    value: params.get('seed') ?? 1,
-    onchange: () => view.go({ seed: seed.value }, { quiet: true }),
-  });
+  /** A whole number; what is wrong with it is marked until it is written anew. */
+  const whole = (name: string, least: number): HTMLInputElement => {
+    const input = h('input', {
+      type: 'number',
+      min: least,
+      value: params.get(name) ?? 1,
+      oninput: () => input.removeAttribute('aria-invalid'),
+      onchange: () => view.go({ [name]: input.value }, { quiet: true }),
+    });
+    return input;
+  };
+  const threads = whole('threads', 1);
+  const seed = whole('seed', 0);
   const strength = select(params.get('strength') ?? '2', strengths, () => look());
   const blocks = h('input', {
     type: 'number',
@@ -318,6 +319,16 @@ async function render(view: View): Promise<void> {
     }
   }
 
+  const named: readonly (readonly [string, HTMLInputElement])[] = [
+    ['v', v],
+    ['k', k],
+    ['threads', threads],
+    ['seed', seed],
+    ['blocks', blocks],
+    ['In the first block', firstBlock],
+    ['In the last block', lastBlock],
+  ];
+
   async function begin(): Promise<void> {
     fill(fault);
     if (v.value === '' || k.value === '') {
@@ -326,6 +337,7 @@ async function render(view: View): Promise<void> {
       return;
     }
     start.disabled = true;
+    named.forEach(([, input]) => input.removeAttribute('aria-invalid'));
     try {
       const order: SearchOrder = {
         v: Number(v.value),
@@ -361,6 +373,10 @@ async function render(view: View): Promise<void> {
     } catch (why) {
       if (!signal.aborted) {
         fill(fault, problem(why));
+        // "threads: write 1 to 2, …" is about that field.
+        const wrong = named.find(([name]) => (why as Error).message.startsWith(`${name}: `))?.[1];
+        wrong?.setAttribute('aria-invalid', 'true');
+        wrong?.focus();
       }
     }
     start.disabled = false;

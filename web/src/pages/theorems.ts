@@ -14,10 +14,21 @@ import { thumbnail } from '../parts/thumbnail';
 import { link, problem, type Page, type View } from '../shell/router';
 import { circlePicture } from './design/circle';
 
-/** A link of docs/theorems.md, in these pages. */
-function inPages(to: string): string | null {
-  const theorem = /#theorem-(\d+)$/.exec(to);
-  return theorem ? link('theorems', { theorem: theorem[1] }) : /^https:/.test(to) ? to : null;
+/** Links of docs/theorems.md, and constructions that it names, in these pages. */
+function inPages(constructions: ReadonlySet<string>): (to: string) => string | null {
+  return (to) => {
+    const theorem = /#theorem-(\d+)$/.exec(to);
+    const code = /^`(.*)`$/.exec(to)?.[1];
+    return theorem
+      ? link('theorems', { theorem: theorem[1] })
+      : code !== undefined && constructions.has(code)
+        ? link('theorems', { construction: code })
+        : to === 'plan.md'
+          ? link('plan')
+          : /^https:/.test(to)
+            ? to
+            : null;
+  };
 }
 
 /**
@@ -100,6 +111,7 @@ function theorem(
   it: Theorem,
   gallery: Gallery,
   chosen: boolean,
+  links: (to: string) => string | null,
 ): { element: HTMLElement; write(): void } {
   const prose = h('div', { class: 'prose' });
   const element = h(
@@ -120,14 +132,14 @@ function theorem(
         prose,
         markup(
           it.statement.replace(new RegExp(`^\\s*\\*\\*Theorem ${it.number}\\.\\*\\*\\s*`), ''),
-          inPages,
+          links,
         ), // The heading says its name.
         it.proof &&
           h(
             'details',
             { class: 'proof' },
             h('summary', {}, 'Proof'),
-            lazily(() => markup(it.proof, inPages)),
+            lazily(() => markup(it.proof, links)),
           ),
       ),
   };
@@ -344,7 +356,10 @@ export const theorems: Page = {
       }
     }
     sift(false);
-    const stated = proved.map((each) => theorem(each, gallery, each.number === wanted.theorem));
+    const links = inPages(new Set(built.map(({ name }) => name)));
+    const stated = proved.map((each) =>
+      theorem(each, gallery, each.number === wanted.theorem, links),
+    );
     const anchored = Boolean(wanted.theorem ?? wanted.construction ?? wanted.reference);
     const statements = piecewise(
       stated.map(({ write }) => write),
@@ -443,7 +458,8 @@ export const theorems: Page = {
             {},
             'These theorems go beyond the published ones; each has its proof. Below them stand ' +
               'all constructions of the program. SCCD(v, k) and DCCD(v, k) are the ' +
-              'single-change and double-change covering designs on v elements in blocks of k.',
+              'single-change and double-change covering designs on v elements in blocks of k; a ' +
+              'third number is that of blocks, as in DCCD(v, k, b).',
           ),
           h('h2', {}, 'Theorems'),
           stated.map(({ element }) => element),

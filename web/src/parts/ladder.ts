@@ -8,12 +8,18 @@ const span = (from: number, to: number): string =>
 
 /**
  * Null: not known. `start`: the best before a search; `reached`: what the best is; `given`: under
- * which condition the others are impossible.
+ * which condition the others are impossible. `beside`: what stands after them, and its words.
  */
 export function ladder(
   bound: number | null,
   best: number | null,
-  { start = best, of = 'blocks', reached = 'best known', given = '' } = {},
+  {
+    start = best,
+    of = 'blocks',
+    reached = 'best known',
+    given = '',
+    beside = null as readonly [string, string] | null,
+  } = {},
 ): HTMLElement {
   const least = bound ?? 1;
   const rungs: (readonly [string, string, string])[] = [];
@@ -37,5 +43,6 @@ export function ladder(
     rungs.map(([state, blocks, words]) =>
       h('li', { class: state }, h('strong', {}, blocks), h('span', {}, words)),
     ),
+    beside && h('li', { class: 'beside' }, h('strong', {}, beside[0]), h('span', {}, beside[1])),
   );
 }

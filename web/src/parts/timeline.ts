@@ -79,6 +79,9 @@ export function timeline(
   const room = (): number => drawing.width - left - 8;
   const least = (): number => room() / b;
   const begins = (): number => Math.min(widestMark, Math.max(2, scale * 0.35));
+  /** Where steps are narrow only long stays have room for a mark where they begin. */
+  const marked = (from: number, long: number): boolean =>
+    (scale >= 3 || long >= 5) && (from > 1 || steps.item === 'item');
   function setOrder(next: readonly number[]): void {
     rows = [...next];
     rowOf = new Int32Array(v);
@@ -163,7 +166,7 @@ export function timeline(
           const start = (from - 1 - at) * scale * ratio;
           const long = ((to - from + 1) * scale - (scale >= 4 ? 1 : 0)) * ratio;
           put(start, long, strong ? mark : kept, faint);
-          if (scale >= 3 && (from > 1 || steps.item === 'item')) {
+          if (marked(from, long / ratio)) {
             put(start, Math.min(long, begins() * ratio), fresh, faint);
           }
         }
@@ -187,7 +190,7 @@ export function timeline(
         const long = Math.max((to - from + 1) * scale - (scale >= 4 ? 1 : 0), 0.8);
         paint(strong ? mark : kept);
         pen.fillRect(start, y, long, row - gap);
-        if (scale >= 3 && (from > 1 || steps.item === 'item')) {
+        if (marked(from, long)) {
           paint(fresh);
           pen.fillRect(start, y, Math.min(long, begins()), row - gap);
         }

@@ -31,7 +31,7 @@ interface Options {
 const highest = 8_000_000;
 
 /** Of a letter, at most, and of what stands before the text. */
-const letterWidth = 9.5;
+export const letterWidth = 9.5;
 const before = 76;
 /** Of each further line. */
 const lineHeight = 24;

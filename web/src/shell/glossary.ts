@@ -1,15 +1,22 @@
-// The glossary: one list, a click away on every page.
-import { fill, h } from '../lib/dom';
+// The glossary: one list, a click away on every page, with an address for each term.
+import { fill, h, type Child } from '../lib/dom';
 import { mathText } from '../lib/mathematics';
-import { glossary } from '../lib/terms';
+import { glossary, termAt } from '../lib/terms';
+import { link } from './router';
 
-let dialog: HTMLDialogElement | null = null;
-
-function made(): HTMLDialogElement {
-  const list = h('dl', { class: 'facts' });
+/**
+ * The terms, and a field that finds some of them. `chosen`: one that is marked; `left` is called
+ * when a term's address is followed.
+ */
+export function termList(
+  id: string,
+  chosen: string | null,
+  left: () => void = () => undefined,
+): { find: HTMLElement; list: HTMLElement } {
+  const list = h('dl', { class: 'facts terms' });
   const find = h('input', {
     type: 'search',
-    id: 'glossary-find',
+    id,
     placeholder: 'tight, bound, load …',
     autocomplete: 'off',
     oninput: () => show(),
@@ -22,15 +29,28 @@ function made(): HTMLDialogElement {
     fill(
       list,
       shown.length > 0
-        ? shown
-            .map(([term, meaning]) => [
-              h('dt', {}, h('dfn', {}, term)),
-              h('dd', {}, mathText(meaning)),
-            ])
-            .flat()
+        ? shown.flatMap(([term, meaning]): Child[] => {
+            const mark = term === chosen ? { class: 'chosen', tabindex: -1 } : {};
+            const to = link('glossary', { term: termAt(term) });
+            return [
+              h('dt', mark, h('a', { href: to, onclick: left }, h('dfn', {}, term))),
+              h('dd', term === chosen ? { class: 'chosen' } : {}, mathText(meaning)),
+            ];
+          })
         : [h('dt', {}, 'Nothing found')],
     );
   }
+  show();
+  return {
+    find: h('div', { class: 'field' }, h('label', { for: find.id }, 'Find a term'), find),
+    list,
+  };
+}
+
+let dialog: HTMLDialogElement | null = null;
+
+function made(): HTMLDialogElement {
+  const { find, list } = termList('glossary-find', null, () => dialog?.close());
   const close = h(
     'button',
     { type: 'button', class: 'plain', onclick: () => dialog?.close() },
@@ -39,13 +59,7 @@ function made(): HTMLDialogElement {
   const element = h(
     'dialog',
     { class: 'glossary', 'aria-labelledby': 'glossary-title' },
-    h(
-      'div',
-      { class: 'dialog-head' },
-      h('h2', { id: 'glossary-title' }, 'Glossary'),
-      h('div', { class: 'field' }, h('label', { for: find.id }, 'Find a term'), find),
-      close,
-    ),
+    h('div', { class: 'dialog-head' }, h('h2', { id: 'glossary-title' }, 'Glossary'), find, close),
     h(
       'div',
       { class: 'dialog-body scroll', tabindex: 0, role: 'region', 'aria-label': 'Terms' },
@@ -53,7 +67,6 @@ function made(): HTMLDialogElement {
     ),
   );
   element.addEventListener('click', (event) => event.target === element && element.close());
-  show();
   document.body.append(element);
   return element;
 }

@@ -106,6 +106,11 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     on.rect(margin.left, margin.top, room().x, room().y);
     on.clip();
   }
+  const isWhole = (middle: { x: number; y: number }, wide: number, high: number): boolean =>
+    middle.x - wide / 2 >= margin.left &&
+    middle.x + wide / 2 <= margin.left + room().x &&
+    middle.y - high / 2 >= margin.top &&
+    middle.y + high / 2 <= margin.top + room().y;
   const isOutside = (cell: AtlasCell): boolean =>
     limit !== null &&
     (cell.v < limit.v.from || cell.v > limit.v.to || cell.k < limit.k.from || cell.k > limit.k.to);
@@ -188,8 +193,13 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
           if (style !== styled) {
             pen.font = styled = style;
           }
-          pen.fillStyle = inside.bound ? faint : inkOn(paint.of(cell));
-          pen.fillText(inside.text, at + (scale.x - gap) / 2, down + (scale.y - gap) / 2 + 0.5);
+          const middle = { x: at + (scale.x - gap) / 2, y: down + (scale.y - gap) / 2 + 0.5 };
+          // A number that the edge would cut reads as another one.
+          const edge = x === first.x || x >= last.x - 1 || y === first.y || y >= last.y - 1;
+          if (!edge || isWhole(middle, pen.measureText(inside.text).width, inside.size)) {
+            pen.fillStyle = inside.bound ? faint : inkOn(paint.of(cell));
+            pen.fillText(inside.text, middle.x, middle.y);
+          }
         }
       }
     }
@@ -200,7 +210,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     pen.font = `12px ${font}`;
     pen.textAlign = 'center';
     pen.textBaseline = 'alphabetic';
-    const step = { x: stride(scale.x, 34), y: stride(scale.y, 15) };
+    const step = { x: stride(scale.x, 34), y: stride(scale.y, 12) };
     for (
       let v = Math.ceil((atlas.v.from + corner.x) / step.x) * step.x;
       v <= atlas.v.from + last.x;
@@ -213,6 +223,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     }
     pen.textAlign = 'right';
     pen.textBaseline = 'middle';
+    pen.font = `${step.y * scale.y < 15 ? 11 : 12}px ${font}`;
     for (
       let k = Math.ceil((atlas.k.from + corner.y) / step.y) * step.y;
       k <= atlas.k.from + last.y;

@@ -24,6 +24,9 @@ export function understand(text: string, change: number, kind: Kind): Found {
         rest === '' || rest === '.' ? link('cell', { ...cell }) : link('design', { label: plain }),
     };
   }
+  if (/(?:^|[\s,(=;])[-−]\s*\d/.test(plain)) {
+    return { problem: 'v and k are whole numbers from 1 on, without a sign: write them as 20 5.' };
+  }
   let words = plain.toLowerCase();
   const wordChange =
     /\b(?:m|change)\s*=?\s*(\d+)/.exec(words)?.[1] ??
@@ -39,6 +42,9 @@ export function understand(text: string, change: number, kind: Kind): Found {
     (named[0] || bare.length <= 3) &&
     words.replace(/[\d\s(),;=]|[vk]\b|circular|linear|single|double|change|sccd|dccd|-/g, '') === ''
   ) {
+    if (Number(v) < 1 || Number(k) < 1) {
+      return { problem: `v = ${v}, k = ${k}: both are whole numbers from 1 on, as 20 5.` };
+    }
     if (Number(k) > Number(v)) {
       return {
         problem:

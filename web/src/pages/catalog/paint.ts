@@ -55,6 +55,9 @@ export function paintOf(atlas: Atlas, measure: string, bounds = true): Paint {
   const lacks =
     atlas.cells().some(({ status }) => status === 'open') &&
     key(open, `no design known${bounds ? '; in italics its bound' : ''}`);
+  const blank =
+    atlas.cells().some(({ status }) => status === 'impossible') &&
+    key('transparent', 'blank: there can be none');
   if (measure === 'construction') {
     const often = new Map<string, number>();
     for (const cell of atlas.cells()) {
@@ -73,6 +76,7 @@ export function paintOf(atlas: Atlas, measure: string, bounds = true): Paint {
         { class: 'legend' },
         names.slice(0, mostHues).map((name, i) => key(colours[i]!, name)),
         names.length > mostHues && key(colours[mostHues]!, `${names.length - mostHues} others`),
+        blank,
       ),
     };
   }
@@ -82,7 +86,7 @@ export function paintOf(atlas: Atlas, measure: string, bounds = true): Paint {
     return {
       ink,
       of: (cell) => none(cell) ?? best,
-      legend: h('ul', { class: 'legend' }, minimum, key(best, 'best known'), lacks),
+      legend: h('ul', { class: 'legend' }, minimum, key(best, 'best known'), lacks, blank),
     };
   }
   const value = (cell: AtlasCell): number =>
@@ -146,6 +150,7 @@ export function paintOf(atlas: Atlas, measure: string, bounds = true): Paint {
           ),
         ),
       lacks,
+      blank,
     ),
   };
 }

@@ -166,12 +166,11 @@ export function coverage(steps: Steps, sets: Sets | null = null): Coverage | nul
       top.strokeRect(1, x * side, over.width - 2, side);
     }
     if (lit.length === 2) {
+      // Around its squares only: they say whether the pair has met.
       const [x, y] = lit as [number, number];
-      top.fillStyle = paint.mark;
-      top.globalAlpha = 0.55;
-      top.fillRect(x * side, y * side, side, side);
-      top.fillRect(y * side, x * side, side, side);
-      top.globalAlpha = 1;
+      top.lineWidth = 4;
+      top.strokeRect(x * side, y * side, side, side);
+      top.strokeRect(y * side, x * side, side, side);
     }
   }
 

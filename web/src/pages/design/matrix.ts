@@ -189,13 +189,14 @@ export function matrix(
     const counts = times();
     const range = chosen.range;
     const lit = chosen.elements;
-    const [sunken, faint, mark, met, leave] = [
+    const [sunken, faint, mark, met, often, leave] = [
       '--sunken',
       '--faint',
       '--mark',
       '--met',
+      '--often',
       '--leave',
-    ].map(token) as [string, string, string, string, string];
+    ].map(token) as [string, string, string, string, string, string];
     const gap = 1;
     within(pen);
     const last = {
@@ -203,7 +204,7 @@ export function matrix(
       y: Math.min(v - 1, Math.ceil(corner.y + room() / cell)),
     };
     // Colours by their places: a name for each square would take most of the time.
-    const all = [...colours, faint, sunken, met, mark, leave];
+    const all = [...colours, faint, sunken, met, often, leave];
     const many = colours.length;
     const never = many + 4;
     const shadeOf = (i: number, j: number, when: number, n: number): number =>

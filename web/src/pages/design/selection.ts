@@ -26,15 +26,21 @@ export class Chosen extends Choice {
     return this.design.labels?.[x] ?? String(x);
   }
 
-  /** "3" or "3 7", by names. False if these are no elements. */
-  chooseByName(text: string): boolean {
+  /** "3" or "3 7", by names. What is wrong with them; empty if they are chosen. */
+  chooseByName(text: string): string {
     const names = text.split(/[\s,]+/).filter(Boolean);
     const found = names.map((name) => this.index(name));
-    if (found.length > 2 || found.some((x) => x < 0)) {
-      return false;
+    const none = found.findIndex((x) => x < 0);
+    if (none >= 0) {
+      return this.design.labels
+        ? `No element is named “${names[none]}”.`
+        : `Elements are 0 to ${this.design.v - 1}.`;
+    }
+    if (found.length > 2) {
+      return 'Write one element, or two.';
     }
     this.choose([...new Set(found)]);
-    return true;
+    return '';
   }
 
   private index(name: string): number {

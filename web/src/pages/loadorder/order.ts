@@ -1,11 +1,12 @@
 // An order of loads, drawn: numbers with the bound, what simple orders cost, curves, and the steps
 // themselves.
 import type { Ordered } from '../../lib/api';
+import { token } from '../../lib/canvas';
 import { h, scroll, type Child } from '../../lib/dom';
 import { bytes, count, number } from '../../lib/words';
 import { ladder } from '../../parts/ladder';
 import { reason } from '../../parts/recipe';
-import { virtualList } from '../../parts/virtual';
+import { letterWidth, virtualList } from '../../parts/virtual';
 import { naive } from './naive';
 
 export interface Asked {
@@ -61,11 +62,13 @@ const atMost = (loads: number, bound: number): string =>
   'possible';
 
 /** The same of the busiest of several workers. */
-function shareOver(loads: number, bound: number): string {
-  return loads <= bound
-    ? 'no other way to share the work makes that fewer'
-    : `however the work is shared, one worker has at least ${number(bound)}, so ` +
+function shareOver(loads: number, bound: number, kept: boolean): string {
+  const words =
+    loads <= bound
+      ? 'no other way to share the work makes that fewer'
+      : `one worker has at least ${number(bound)} however the work is shared, so ` +
         atMost(loads, bound);
+  return kept ? `With ${keptWords}, ${words}` : words[0]!.toUpperCase() + words.slice(1);
 }
 
 /** What is read, and the least that can be: by all, or by the busiest of several workers. */
@@ -133,7 +136,7 @@ function reasons(answer: Ordered): [of: string, why: string][] {
   const all = kept ? `With all ${number(order.room)} places: ` : '';
   const rest = kept ? `With room for ${number(kept.room)}: ` : '';
   const together = (bound: number): string =>
-    `All workers together have at least ${count(bound, 'load')}: `;
+    `${kept ? 'all' : 'All'} workers together have at least ${count(bound, 'load')}: `;
   const found: [string, string | undefined][] =
     order.makespan_bound === undefined
       ? [
@@ -169,8 +172,8 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
       {},
       shared
         ? `For ${count(workers, 'worker')}${asked.disjoint ? apart : ''}` +
-            `${inEpochs(answer)}; the busiest has ${count(makespan, 'load')}: ` +
-            `${kept ? `with ${keptWords} ` : ''}${shareOver(makespan, spanBound)}.`
+            `${inEpochs(answer)}; the busiest has ${count(makespan, 'load')}. ` +
+            `${shareOver(makespan, spanBound, kept !== null)}.`
         : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ` +
             `${count(order.items, 'item')}${inEpochs(answer)}, with ${places(answer)}` +
             `${kept ? `, ${keptWords}` : ''}` +
@@ -311,7 +314,7 @@ export function levels({ order }: Ordered, asked: Asked): HTMLElement | null {
       'What both levels move',
       h(
         'table',
-        {},
+        { class: 'levels' },
         h(
           'thead',
           {},
@@ -346,8 +349,8 @@ export function levels({ order }: Ordered, asked: Asked): HTMLElement | null {
     h(
       'p',
       { class: 'hint' },
-      'Pairs meet on the accelerator; what is there stays in memory, too. No order for these two ' +
-        'rooms moves less than “at least”.',
+      'Pairs meet on the accelerator; what is there stays in memory, too. The column “at least” ' +
+        'holds for every order with this room in memory and on the accelerator.',
     ),
   );
 }
@@ -356,6 +359,16 @@ export function levels({ order }: Ordered, asked: Asked): HTMLElement | null {
 function listed(items: (number | string)[]): string {
   return items.join(items.some((item) => /\s/.test(String(item))) ? ', ' : ' ');
 }
+
+/** How wide a text of the list is, in letters of virtualList(). */
+let measuring: CanvasRenderingContext2D | null = null;
+function wide(text: string, bold: boolean): number {
+  measuring ??= document.createElement('canvas').getContext('2d')!;
+  measuring.font = `${bold ? '700 ' : ''}16px ${token('--text-font')}`;
+  return measuring.measureText(text).width / letterWidth;
+}
+/** What is left between two kinds of moves, in letters. */
+const between = 2;
 
 export interface StepList {
   readonly element: HTMLElement;
@@ -373,8 +386,17 @@ export function stepList(answer: Ordered): StepList {
     rows: answer.steps.length,
     letters(i) {
       const { load, evict, fast_load: come = [], fast_evict: leave = [] } = answer.steps[i]!;
-      const texts = [load, evict, come, leave].map(listed);
-      return texts.reduce((sum, { length }) => sum + (length > 0 ? length + 10 : 0), 0);
+      const kinds: [(number | string)[], string, boolean][] = [
+        [load, 'load ', true],
+        [evict, 'evict ', false],
+        [come, 'transfer ', false],
+        [leave, 'take off ', false],
+      ];
+      return kinds.reduce(
+        (sum, [items, verb, bold]) =>
+          sum + (items.length > 0 ? wide(verb, false) + wide(listed(items), bold) + between : 0),
+        0,
+      );
     },
     row(i) {
       const { step, worker, load, evict, before, compute, epoch } = answer.steps[i]!;

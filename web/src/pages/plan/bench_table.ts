@@ -1,4 +1,4 @@
-// The benches of a job, one a row, with what is different there.
+// The benches of a job, one a card, with what is different there.
 import { emptyBench, type Bench } from './job';
 import { rowsTable } from './rows';
 
@@ -58,5 +58,6 @@ export function benchTable(touched: () => void): ReturnType<typeof rowsTable<Ben
     ],
     emptyBench,
     touched,
+    'cards',
   );
 }

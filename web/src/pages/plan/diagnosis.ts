@@ -1,34 +1,107 @@
 // What the failed tests say: which part or pair explains them, and the test that tells most next.
 import type { Diagnosis } from '../../lib/api';
 import { h, type Child } from '../../lib/dom';
-import { count } from '../../lib/words';
+import { count, number } from '../../lib/words';
 
 const name = (fault: readonly string[]) =>
   fault.length === 1 ? `part ${fault[0]}` : `${fault[0]} with ${fault[1]}`;
+
+/** So few explanations are named; of more it is said how many there are. */
+const fewNamed = 2;
 
 function explained(
   label: string,
   { left, explanations }: NonNullable<Diagnosis['next']>['if_it_fails'],
 ): HTMLElement {
-  const shown = (explanations as unknown as string[][][])
-    .slice(0, 6)
-    .map((each) => each.map(name).join(' and '));
+  const shown = (explanations as unknown as string[][][]).map((each) =>
+    each.map(name).join(' and '),
+  );
   const explained =
     left === 0
       ? 'nothing explains all results'
       : `${count(left, 'explanation')} ${left === 1 ? 'is' : 'are'} left`;
-  const some = shown.length > 0 ? `: ${shown.join('; ')}${left > shown.length ? '; …' : ''}` : '';
+  const some = left > 0 && left <= fewNamed ? `: ${shown.slice(0, left).join('; ')}` : '';
   return h('li', {}, `${label}, ${explained}${some}.`);
+}
+
+/** How many faults there must be, and what is called an explanation below. */
+function whatIsNew(found: Diagnosis): Child[] {
+  const { at_least: least, explanations_known: known } = found;
+  if (known === 0) {
+    return [];
+  }
+  const all = found.failed === 2 ? 'both failures' : 'all failures';
+  const many = `${found.all_explanations ? '' : 'at least '}${number(known)}`;
+  return [
+    h(
+      'p',
+      {},
+      h(
+        'strong',
+        {},
+        least === 1
+          ? `One part or pair alone explains ${found.failed === 1 ? 'the failure' : all}.`
+          : least === 2
+            ? `No single part or pair explains ${all}, so at least two are at fault.`
+            : `No ${least - 1} parts and pairs explain ${all}, so at least ${least} are at fault.`,
+      ),
+    ),
+    h(
+      'p',
+      { class: 'hint' },
+      'An explanation names parts and pairs at fault: every test that failed had one of them, ' +
+        `and no test that passed did. Of the smallest, with ${
+          least === 1 ? 'one of them' : `${least} of them`
+        }, there ${known === 1 && found.all_explanations ? 'is' : 'are'} ${many}.`,
+    ),
+  ];
+}
+
+/** Where several are at fault together they are those of the explanations, each once. */
+function suspectsOf(found: Diagnosis): string[][] {
+  const alone = found.suspects as unknown as string[][];
+  const together = (found.explanations as unknown as string[][][]).flat();
+  return alone.length > 0
+    ? alone
+    : [...new Map(together.map((fault) => [JSON.stringify(fault), fault])).values()];
+}
+
+/** What may be at fault, by the failed test that has it. */
+function suspectsBy(tests: readonly FailedTest[], suspects: string[][]): Child {
+  const lists = tests.flatMap(({ name: test, parts }): [string, string[][]][] => {
+    const there = suspects.filter((suspect) => suspect.every((part) => parts.includes(part)));
+    return there.length > 0 ? [[`Test ${test} failed. Suspects in it`, there]] : [];
+  });
+  const placed = new Set(lists.flatMap(([, there]) => there));
+  const rest = suspects.filter((suspect) => !placed.has(suspect));
+  return h(
+    'details',
+    { open: suspects.length <= 24 },
+    h('summary', {}, count(suspects.length, 'suspect')),
+    h(
+      'ul',
+      {},
+      [...lists, ...(rest.length > 0 ? [['Others', rest] as const] : [])].map(([words, there]) =>
+        h('li', {}, `${words}: ${there.map(name).join('; ')}.`),
+      ),
+    ),
+  );
+}
+
+export interface FailedTest {
+  readonly name: string;
+  readonly parts: readonly string[];
 }
 
 /** `add` puts the next test on the sheet, `forbid` the faults into the pairs that must not meet. */
 export function diagnosisPanel(
   found: Diagnosis,
+  failed: readonly FailedTest[],
   add: () => void,
   forbid: (faults: string[][]) => void,
 ): HTMLElement {
   const proven = found.faults as unknown as string[][];
-  const suspects = found.suspects as unknown as string[][];
+  const suspects = suspectsOf(found);
   const { next } = found;
   const pairs = proven.filter((fault) => fault.length === 2);
   const body: Child[] = [
@@ -37,14 +110,8 @@ export function diagnosisPanel(
     proven.length > 0
       ? h('p', {}, h('strong', {}, `At fault, proven: ${proven.map(name).join('; ')}.`))
       : null,
-    suspects.length > 0
-      ? h(
-          'details',
-          { open: suspects.length <= 12 },
-          h('summary', {}, `${count(suspects.length, 'suspect')}`),
-          h('p', {}, suspects.map(name).join('; '), '.'),
-        )
-      : null,
+    ...(proven.length > 0 ? [] : whatIsNew(found)),
+    suspects.length > 0 ? suspectsBy(failed, suspects) : null,
     found.contradictions.length > 0
       ? h(
           'p',

@@ -333,7 +333,7 @@ export function keyIn(message: string): string | null {
 export function inWords(message: string): string {
   const free = /^give at_once, .*: (.*) is in no slot$/.exec(message);
   return free
-    ? `${free[1]} is in no slot: name its slot in the list, or write “${labels.at_once}”.`
+    ? `${free[1]} has no slot, so say how many parts fit at once, or give it a slot.`
     : message
         .replace(/^give at_once, how many parts fit at once/, `write “${labels.at_once}”`)
         .replace(/^([a-z_]+)(?:\[(\d+)\])?:/, (all, key: string, row?: string) =>

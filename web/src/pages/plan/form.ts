@@ -158,10 +158,10 @@ export function jobForm(
 
   /**
    * Slots that parts are of hold one part each until their limits are written: a slot that is named
-   * is never passed over.
+   * is never passed over. A list of parts names slots without limits.
    */
   function namedSlots(names: string[]): void {
-    const there = slots.read();
+    const there = slots.read().filter(({ least, most }) => least !== '' || most !== '');
     const missing = names.filter((name) => !there.some((slot) => slot.name === name));
     if (missing.length > 0) {
       slots.set([...there, ...missing.map((name) => ({ name, least: '1', most: '1' }))]);
@@ -274,9 +274,9 @@ export function jobForm(
     h(
       'p',
       { class: 'hint' },
-      'One bench per row, with what is different there. In the parts list, “how many” says how ' +
-        'many there are of a part; a part is on one bench at a time. Of a model, “without” names ' +
-        'values.',
+      'A card for each bench, with what is different there; a new one begins with its name. In ' +
+        'the parts list, “how many” says how many there are of a part; a part is on one bench at ' +
+        'a time.',
     ),
     h(
       'div',

@@ -29,17 +29,25 @@ function gap(outcome: Outcome, money: (cost: number) => string): string {
   if (!benches) {
     return gapInWords(cost, bound, money);
   }
-  const early = outcome.together !== cost || benches.length > 1;
   const words = gapInWords(cost, bound, money);
-  if (!early) {
+  if (outcome.together === cost && benches.length === 1) {
     return words;
   }
-  const end = finish ? `on ${finish} (at ${money(cost)})` : `at ${money(cost)}`;
+  // When the last test ends, and how much work there is on all benches, are two things.
+  const unit = outcome.unit ?? (finish ? 'hours' : null);
+  const end = finish
+    ? `on ${finish}, after ${money(cost)} ${unit} of its bench`
+    : unit
+      ? `${money(cost)} ${unit} after the start`
+      : `at ${money(cost)}, with costs as times`;
   const sooner = words
     .replace('No plan is cheaper', 'No plan is done earlier')
-    .replace('No plan costs less than', 'No plan is done before');
-  const together = money(outcome.together);
-  return `The last test ends ${end}; all benches together cost ${together}. ${sooner}`;
+    .replace(/No plan costs less than (\S+),/, (_, least: string) =>
+      unit ? `No plan is done in less than ${least} ${unit},` : `No plan is done before ${least},`,
+    )
+    .replace('so this one is at most', 'so this one takes at most')
+    .replace('above the least possible', 'longer than the least possible');
+  return `The last test ends ${end}. ${sooner}`;
 }
 
 /** What is to be tested, in a few words; empty if nothing is there yet. */
@@ -75,6 +83,7 @@ export function headline(job: Job, outcome: Outcome): HTMLElement {
     ...outcome.tests.map(({ cost }) => cost),
   ]);
   const clock = clockOf(outcome.unit);
+  const several = (outcome.benches?.length ?? 0) > 1;
   const what = inShort(job, outcome.benches?.length) || count(0, 'part');
   const whole = outcome.benches ? outcome.together : outcome.cost;
   return h(
@@ -90,8 +99,11 @@ export function headline(job: Job, outcome: Outcome): HTMLElement {
       h(
         'strong',
         {},
-        `${count(rest, 'test')}, ${count(outcome.changes, 'change')}, cost ` +
-          `${money(whole)}${outcome.unit ? ` ${outcome.unit}` : ''}`,
+        `${count(rest, 'test')}, ${count(outcome.changes, 'change')}, ` +
+          (several && outcome.unit
+            ? `${money(whole)} ${outcome.unit} of work on all benches together`
+            : `cost ${money(whole)}${outcome.unit ? ` ${outcome.unit}` : ''}`) +
+          (several && !outcome.unit ? ' of all benches together' : ''),
       ),
       clock && !outcome.benches ? `, ${clock(whole)} on the clock` : null,
       `. ${gap(outcome, money)}`,

@@ -42,7 +42,9 @@ export function nextTests(
         h(
           'span',
           { class: 'hint' },
-          `costs ${money(test.cost)}${test.when ? `, begins ${test.when}` : ''}`,
+          `${outcome.unit ? 'takes' : 'costs'} ${money(test.cost)}` +
+            `${outcome.unit ? ` ${outcome.unit}` : ''}` +
+            `${test.when ? `, begins ${test.when}` : ''}`,
         ),
       ),
       ...(test.values || all

@@ -22,6 +22,7 @@ import {
   blank,
   csv,
   isDone,
+  namesOf,
   onBenches,
   outcomeOf,
   verdictOf,
@@ -52,7 +53,7 @@ export class PlanPage {
   private readonly introduction = introduction((job) => this.useExample(job));
   private readonly result = h('div', { class: 'result' });
   private readonly fault = h('div', { class: 'plan-fault no-print' });
-  private readonly news = h('div', { class: 'no-print' });
+  private readonly news = h('div', { class: 'plan-news no-print' });
   private readonly keeping = h('div', { class: 'keeping no-print' });
   private readonly stale = h(
     'p',
@@ -388,7 +389,7 @@ export class PlanPage {
               );
               return found!;
             },
-            (test, change) => this.atCosts(test, change),
+            (test, change, times) => this.atCosts(test, change, times),
             drawing.signal,
           ),
     );
@@ -396,15 +397,14 @@ export class PlanPage {
   private diagnosisPlace = h('div', {});
 
   /** The parts' own costs keep their proportion to the cost for all. */
-  private atCosts(testCost: number, changeCost: number): void {
+  private atCosts(testCost: number, changeCost: number, times: number): void {
     const job = this.form.read();
     const { outcome } = this.state;
-    const factor = outcome!.changeCost > 0 ? changeCost / outcome!.changeCost : 1;
     const parts = job.parts.map((part) => ({
       ...part,
-      cost: part.cost === null ? null : exact(part.cost * factor),
+      cost: part.cost === null ? null : exact(part.cost * times),
     }));
-    this.form.set({ ...job, testCost, changeCost, parts });
+    this.form.set({ ...job, testCost, changeCost: exact(changeCost), parts });
     void this.plan(outcome!.tests.filter(isDone), outcome!.places);
   }
 
@@ -426,6 +426,9 @@ export class PlanPage {
         this.diagnosisPlace,
         diagnosisPanel(
           diagnosis!,
+          outcome!.tests.flatMap((test, i) =>
+            verdictOf(test) === 'fail' ? [{ name: namesOf(outcome!)[i]!, parts: test.parts }] : [],
+          ),
           () => {
             this.state.outcome = withNext(outcome!, diagnosis!.next!);
             this.show();

@@ -16,11 +16,13 @@ export interface Rows<T> {
   set(rows: readonly T[]): void;
 }
 
+/** As `cards` a row is a frame with its fields side by side, as many as there is room for. */
 export function rowsTable<T extends object>(
   label: string,
   columns: readonly Column<T>[],
   empty: () => T,
   changed: () => void,
+  as: 'table' | 'cards' = 'table',
 ): Rows<T> {
   const body = h('tbody');
   const inputs = (row: Element) => [...row.querySelectorAll('input')];
@@ -33,7 +35,7 @@ export function rowsTable<T extends object>(
     const row: HTMLTableRowElement = h(
       'tr',
       {},
-      columns.map(({ key, kind }) => {
+      columns.map(({ key, kind, title, hint }) => {
         const value = data[key];
         const input =
           kind === 'check'
@@ -45,7 +47,15 @@ export function rowsTable<T extends object>(
                 autocomplete: 'off',
                 spellcheck: 'false',
               });
-        return h('td', { class: kind === 'check' ? 'centre' : null }, input);
+        return h(
+          'td',
+          {
+            class: kind === 'check' ? 'centre' : null,
+            'data-label': title,
+            title: hint ?? null,
+          },
+          input,
+        );
       }),
       h(
         'td',
@@ -82,7 +92,7 @@ export function rowsTable<T extends object>(
     { class: 'scroll rows-frame', role: 'region', 'aria-label': label, tabindex: -1 },
     h(
       'table',
-      { class: 'rows', oninput: () => (settle(), changed()) },
+      { class: as === 'cards' ? 'rows cards' : 'rows', oninput: () => (settle(), changed()) },
       h(
         'thead',
         {},

@@ -34,6 +34,12 @@ export function clockOf(unit: Outcome['unit']): ((cost: number) => string) | nul
   };
 }
 
+/** When a test ends, without its day if that is the day on which it begins. */
+function endOf({ when = '', ends = '' }: Test): string {
+  const day = /^.*, /.exec(when)?.[0] ?? '';
+  return day !== '' && ends.startsWith(day) ? ends.slice(day.length) : ends;
+}
+
 /** A name breaks at its spaces only if it is long. */
 function unbroken(name: string): Child {
   return name.length <= 24 && /[ -]/.test(name) ? h('span', { class: 'whole' }, name) : name;
@@ -158,6 +164,7 @@ export function runSheet(
   const names = namesOf(outcome);
   const money = moneyOf(tests.map(({ cost }) => cost));
   const clock = clockOf(outcome.unit);
+  const unit = outcome.unit ? ` ${outcome.unit}` : '';
   const progress = h('progress', { max: tests.length, value: 0, 'aria-label': 'Tests done' });
   const said = h('p', { class: 'sheet-progress', role: 'status' });
   const refreshers: (() => void)[] = [];
@@ -182,7 +189,7 @@ export function runSheet(
     said.textContent =
       `${number(done.length)} of ${count(tests.length, 'test')} ` +
       `done${failed > 0 ? `, ${number(failed)} failed` : ''}; ${money(spent)} of ` +
-      `${money(whole)} spent.`;
+      `${money(whole)}${unit} spent.`;
     const next = new Set<number>();
     for (const bench of new Set(tests.map((test) => test.bench))) {
       const i = tests.findIndex((test) => test.bench === bench && verdictOf(test) === '');
@@ -226,7 +233,14 @@ export function runSheet(
         { class: 'number of-number' },
         benches ? names[i]!.slice((test.bench ?? '').length + 1) : number(i + 1),
       ),
-      hasTimes ? h('td', { class: 'of-when' }, test.when ?? '') : null,
+      hasTimes
+        ? h(
+            'td',
+            { class: 'of-when', 'data-label': 'begins' },
+            test.when ?? '',
+            test.ends ? h('span', { class: 'of-end' }, ` · ends ${endOf(test)}`) : null,
+          )
+        : null,
       ...(test.values || slots
         ? []
         : [
@@ -295,7 +309,9 @@ export function runSheet(
       h(
         'table',
         {
-          class: ofModel ? 'run-sheet of-model' : slots ? 'run-sheet of-slots' : 'run-sheet',
+          class:
+            (ofModel ? 'run-sheet of-model' : slots ? 'run-sheet of-slots' : 'run-sheet') +
+            (hasTimes ? ' timed' : ''),
           onkeydown: (event) => {
             const { key, target } = event as KeyboardEvent;
             const row = (target as Element).closest('tbody tr');
@@ -346,7 +362,14 @@ export function runSheet(
         const indices = tests.flatMap(({ bench }, i) => (bench === name ? [i] : []));
         const sum = sums.get(name) ?? 0;
         const last = tests[indices.at(-1) ?? -1]?.ends;
-        const done = last ? `, done ${last}` : end > sum ? `, done at ${money(end)}` : '';
+        const done = last
+          ? `, done on ${last}`
+          : end > sum
+            ? unit
+              ? `, done ${money(end)}${unit} after the start`
+              : `, done at ${money(end)}`
+            : '';
+        const work = unit ? `${money(sum)}${unit} of work` : `cost ${money(sum)}`;
         return h(
           'section',
           { class: 'bench-sheet' },
@@ -357,7 +380,7 @@ export function runSheet(
             h(
               'span',
               { class: 'hint' },
-              down ? ' out of order' : ` ${count(indices.length, 'test')}, ${money(sum)}${done}`,
+              down ? ' out of order' : ` ${count(indices.length, 'test')}, ${work}${done}`,
             ),
           ),
           indices.length > 0

@@ -91,16 +91,18 @@ export function whyNoWhatIf(job: Job, outcome: Outcome): string {
         : '';
 }
 
-/** `ask` has the library look; `planAnew` plans at other prices. */
+/** `ask` has the library look; `planAnew` plans at other prices, `times` those of changes now. */
 export function whatIf(
   job: Job,
   outcome: Outcome,
   ask: () => Promise<WhatIf>,
-  planAnew: (testCost: number, changeCost: number) => void,
+  planAnew: (testCost: number, changeCost: number, times: number) => void,
   signal: AbortSignal,
 ): HTMLElement {
   const { testCost, changeCost } = outcome;
+  // Where parts have costs of their own, all costs grow by the same factor.
   const byPart = job.parts.some((part) => part.cost !== null);
+  const base = byPart ? 1 : changeCost;
   const narrowed = [
     job.budget.trim() === '' ? '' : 'the budget',
     job.weights.trim() === '' ? '' : 'priorities',
@@ -110,14 +112,16 @@ export function whatIf(
   const place = h('div', {});
   const said = h('p', { role: 'status' });
   const test = price('A test costs', testCost, settle);
-  const change = price(
-    byPart ? 'A change costs, where the list does not say' : 'A change costs',
-    changeCost,
-    settle,
-  );
+  const change = price(byPart ? 'All change costs, times' : 'A change costs', base, settle);
+  const times = () => (base > 0 ? change.value() / base : 1);
   const anew = h(
     'button',
-    { type: 'button', class: 'plain', onclick: () => planAnew(test.value(), change.value()) },
+    {
+      type: 'button',
+      class: 'plain',
+      onclick: () =>
+        planAnew(test.value(), byPart ? changeCost * times() : change.value(), times()),
+    },
     'Replan at these costs',
   );
   const look = h(
@@ -130,9 +134,7 @@ export function whatIf(
 
   /** How much more a change costs beside a test than it did. */
   const factor = () =>
-    testCost > 0 && changeCost > 0 && test.value() > 0
-      ? change.value() / changeCost / (test.value() / testCost)
-      : null;
+    testCost > 0 && base > 0 && test.value() > 0 ? times() / (test.value() / testCost) : null;
   /** The same as the library counts: the ratio of costs, or that factor. */
   const unitOf = () => (found && /factor/.test(found.by) ? 1 : changeCost / testCost);
   const rangeAt = (at: number) =>
@@ -141,7 +143,7 @@ export function whatIf(
     ) ?? null;
 
   function settle(): void {
-    const same = test.value() === testCost && change.value() === changeCost;
+    const same = test.value() === testCost && change.value() === base;
     anew.disabled = same;
     const here = factor();
     const mark = same ? 'These are your costs. ' : '';
@@ -211,7 +213,7 @@ export function whatIf(
       label:
         'How much more each plan costs than the cheapest one, by what a change costs; where ' +
         'which is cheapest is in the table',
-      x: /factor/.test(answer.by) ? 'all change costs, times' : 'cost of a change',
+      x: /factor/.test(answer.by) ? 'all change costs × …' : 'cost of a change',
       y: 'more than the cheapest',
       signal,
       xText: (x) => about(/factor/.test(answer.by) ? x : x * testCost),
@@ -238,7 +240,7 @@ export function whatIf(
             'tr',
             { class: range === now ? 'own' : null },
             h('td', { class: 'number' }, price(range.from, '0')),
-            h('td', { class: 'number' }, price(range.to, 'any')),
+            h('td', { class: 'number' }, price(range.to, '–')),
             h(
               'td',
               {},
@@ -268,16 +270,24 @@ export function whatIf(
               h(
                 'th',
                 { class: 'number' },
-                /factor/.test(answer.by) ? 'factor from' : 'change costs from',
+                /factor/.test(answer.by)
+                  ? 'all change costs times at least'
+                  : 'a change costs at least',
               ),
-              h('th', { class: 'number' }, 'to'),
-              h('th', {}, 'cheapest'),
+              h('th', { class: 'number' }, 'and less than'),
+              h('th', {}, 'cheapest plan'),
             ),
           ),
           body,
         ),
       ),
-      answer.notes.length > 0 ? h('p', { class: 'hint' }, answer.notes.join(' ')) : null,
+      answer.notes.length > 0
+        ? h(
+            'ul',
+            { class: 'hint' },
+            answer.notes.map((note) => h('li', {}, note)),
+          )
+        : null,
     );
     chart.set(xs, lines);
   }

@@ -2,6 +2,7 @@
 // done with what it found.
 import { get, post, type SearchJob } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
+import { cellDetail } from '../../lib/source';
 import { count, nameOf, number } from '../../lib/words';
 import { ladder } from '../../parts/ladder';
 import { plot } from '../../parts/plot';
@@ -119,6 +120,21 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
   let curve: NonNullable<SearchJob['points']> = [];
   let asking = false;
   let wanted = false;
+  /** Blocks of the best design of the cell; null until that is asked for. */
+  let held: number | null = null;
+  let heldAsked = false;
+  function askHeld(job: SearchJob): void {
+    heldAsked = true;
+    const { v, k, change, kind, strength } = job;
+    cellDetail({ v, k, change, kind, ...(strength === 2 ? {} : { strength }) }, signal).then(
+      ({ best }) => {
+        held = best?.b ?? null;
+        wanted = true; // The bar is drawn again with it.
+        void points();
+      },
+      () => undefined,
+    );
+  }
   async function points(): Promise<void> {
     if (asking) {
       wanted = true;
@@ -232,31 +248,42 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       figures,
       facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
     );
+    if (!heldAsked) {
+      askHeld(job);
+    }
+    // The cell may have a better design than what this way of searching begins with.
+    const behind = held !== null && (job.best === null || held < job.best);
+    const own = job.best === null ? (running ? 'none yet' : 'none') : number(job.best);
     fill(
       reached,
-      ladder(job.lower_bound, job.best, {
-        start: job.start_best,
-        reached: isNew(job) ? 'this search' : 'best known',
-      }),
+      behind
+        ? ladder(job.lower_bound, held, { beside: [own, 'this search'] })
+        : ladder(job.lower_bound, job.best, {
+            start: job.start_best,
+            reached: isNew(job) ? 'this search' : 'best known',
+          }),
     );
     fill(
       advice,
       gap === 0
         ? 'Nothing is left to find: the best has as many blocks as the lower bound, so it is a ' +
             'minimum.'
-        : running && job.way === 'exact'
-          ? `Is there a design with ${count(open?.blocks ?? job.lower_bound ?? 1, 'block')}? A ` +
-            `solver looks for one, or for a proof that there is none. How long that takes ` +
-            `cannot be told.`
-          : running && job.seconds > 20 && since > job.seconds / 2
-            ? `No improvement for ${seconds(since)}, more than half of the time: stopping, ` +
-              `another seed or another way may pay more than waiting.`
-            : running
-              ? 'Still early: most searches improve in their first minute.'
-              : gap !== null && gap > 0
-                ? `A gap of ${number(gap)} is left. A longer search, another seed or another ` +
-                  `way may close it.`
-                : '',
+        : behind && held === job.lower_bound
+          ? 'The cell has its minimum already: at best this search finds another design with as ' +
+            'many blocks.'
+          : running && job.way === 'exact'
+            ? `Is there a design with ${count(open?.blocks ?? job.lower_bound ?? 1, 'block')}? A ` +
+              `solver looks for one, or for a proof that there is none. How long that takes ` +
+              `cannot be told.`
+            : running && job.seconds > 20 && since > job.seconds / 2
+              ? `No improvement for ${seconds(since)}, more than half of the time: stopping, ` +
+                `another seed or another way may pay more than waiting.`
+              : running
+                ? 'Still early: most searches improve in their first minute.'
+                : gap !== null && gap > 0
+                  ? `A gap of ${number(gap)} is left. A longer search, another seed or another ` +
+                    `way may close it.`
+                  : '',
     );
   }
 
@@ -361,7 +388,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       seconds: times.find(([s]) => Number(s) > job.limit)?.[0] ?? times.at(-1)![0],
       seed: way === 'exact' ? null : job.seed + 1,
     });
-    again.hidden = running || known || !mayAct;
+    again.hidden = running || known || !mayAct || (held !== null && held === job.lower_bound);
     // What comes next stands first: what was found, or another try.
     const instead = !again.hidden && !isNew(job);
     if (instead !== (next.firstElementChild === again)) {

@@ -29,7 +29,7 @@ export const stateWords: Record<SearchJob['state'], string> = {
 
 export const wayWords: Record<SearchJob['way'], string> = {
   local: 'local search',
-  exact: 'exact search',
+  exact: 'exact, with proof',
   'base-blocks': 'base blocks',
   locked: 'locked sets',
 };
