@@ -276,7 +276,7 @@ export function jobForm(
       { class: 'hint' },
       'A card for each bench, with what is different there; a new one begins with its name. In ' +
         'the parts list, “how many” says how many there are of a part; a part is on one bench at ' +
-        'a time.',
+        'a time. Of a model, “without” names values.',
     ),
     h(
       'div',
