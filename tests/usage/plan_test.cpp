@@ -244,7 +244,6 @@ TEST(Plan, SaysInOneLineWhichFileIsAtFault) {
            {"one.csv" + costs, 3, "one.csv: one part is listed"},
            {"empty.csv" + costs, 3, "empty.csv:1:1: no part is listed"},
            {"parts.csv --pairs empty.csv" + costs, 3, "empty.csv: no pair is listed"},
-           {"parts.csv --done large.csv" + costs, 3, "large.csv:2:1: 4 parts, but only 3 fit"},
            {"parts.csv --done large.csv --done-first 9 -k 4 --test-cost 1", 2,
             "large.csv has only 2 set-ups"},
            {"escape.csv" + costs, 3, "escape.csv:1:2: control byte 0x1b"},

@@ -371,17 +371,20 @@ test(
     assert.deepEqual(requestOf({ ...job, never: 'Part A\tPart B\tWhy\nA\tD\thot' }).never, [
       ['A', 'D', 'hot'],
     ]);
-    const model = requestOf({
+    const ofModel = {
       ...emptyJob(),
       source: 'model',
       model: 'A: x, y\nB: 1, 2\n',
       objective: 'tests',
-      benches: job.benches,
-    });
+    };
+    const model = requestOf(ofModel);
     assert.deepEqual(
       [model.model, model.objective, model.benches, model.parts],
       ['A: x, y\nB: 1, 2\n', 'tests', undefined, undefined],
     );
+    // Several benches have no plan of fewest tests.
+    const onBenches = requestOf({ ...ofModel, benches: job.benches });
+    assert.deepEqual([onBenches.objective, onBenches.benches], [undefined, request.benches]);
     assert.throws(() => requestOf(emptyJob()), /fewer than two parts/);
     assert.equal(keyIn('never[1]: “X” is no part'), 'never');
     assert.equal(inWords('never[1]: “X” is no part'), 'Forbidden pairs, row 2: “X” is no part');
