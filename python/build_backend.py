@@ -46,7 +46,7 @@ def metadata() -> str:
     classifiers = "".join(f"Classifier: {each}\n" for each in listed("classifiers"))
     return (
         f"Metadata-Version: 2.1\nName: {name}\nVersion: {version()}\n"
-        "Summary: Finds, proves, draws and runs change covering designs\n"
+        "Summary: Finds, verifies and draws change covering designs\n"
         "License: MIT\nAuthor: The Changeover developers\nRequires-Python: >=3.9\n"
         f"Keywords: {','.join(listed('keywords'))}\n{classifiers}"
         "Description-Content-Type: text/markdown\n\n" + (root / "docs/python.md").read_text()

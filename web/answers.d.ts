@@ -39,8 +39,8 @@ export type Job = {
   /** what mounting a part costs where the list does not say */
   change_cost?: (number | string) | null;
   /**
-   * a square table: what putting in the part of the column costs where that of the row was taken
-   * out; of a model: one parameter,value,cost per line
+   * a square table: cost of replacing the part of the row by the part of the column; of a model:
+   * one parameter,value,cost per line
    */
   change_costs?:
     | (
@@ -200,7 +200,7 @@ export type Job = {
   /** moves of each local search (default: chosen automatically) */
   steps?: number | null;
   /**
-   * search so long (default: command line: 60; server: 10, at most 60 (followed: 60, at most
+   * how long to search (default: command line: 60; server: 10, at most 60 (followed: 60, at most
    * 3600); Python: until it ends)
    */
   seconds?: number | null;
@@ -241,7 +241,7 @@ export type LoadRequest = {
   against?: number | null;
   /** the pairs of the first N items are done */
   done_items?: number | null;
-  /** so many of those in memory are on an accelerator, where pairs meet */
+  /** number of the items in memory that fit on an accelerator, where pairs meet */
   fast_room?: number | null;
   /** bytes an item, to say how many are moved */
   item_bytes?: number | null;
@@ -259,7 +259,7 @@ export type LoadRequest = {
     | null;
   /** bytes in memory at once, of items with --sizes */
   memory?: number | null;
-  /** so many bytes of these are on an accelerator, where pairs meet */
+  /** bytes of the memory that fit on an accelerator, where pairs meet */
   fast_memory?: number | null;
   /** split it for W workers with room C each (default: 1) */
   workers?: number | null;
@@ -309,7 +309,7 @@ export type LoadRequest = {
   /** each pair at random in one of the steps that hold both items, evenly, by --seed */
   spread?: boolean | null;
   /**
-   * search so long for a better order (default: command line: no search; server: no search, at
+   * how long to search for a better order (default: command line: no search; server: no search, at
    * most 30; Python: no search)
    */
   seconds?: number | null;

@@ -29,7 +29,7 @@ class Bound(Made):
 
 
 class Counted(Made):
-    """How many designs with so many blocks there are, all of them: `classify` counted them once."""
+    """The number of all designs with a given number of blocks: `classify` counted them once."""
 
     b: int = fact("Blocks of each.")
     standard_forms: int = fact()

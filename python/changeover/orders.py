@@ -191,8 +191,8 @@ class _Loads(Shown, Made):
         return True
 
     def for_colmap(self) -> str:
-        """The pairs in the order of the steps, as COLMAP's match list: two items a line, and an
-        empty line between steps. Raises BadInput if a pair would be there twice."""
+        """The pairs in the order of the steps, as COLMAP's match list: two items per line,
+        and an empty line between steps. Raises BadInput if a pair would occur twice."""
         text: str = self._core.in_format("colmap")
         return text
 
@@ -292,7 +292,7 @@ class WorkerLoads(_Loads):
     loads: int = fact("Of all workers together.")
     worker_loads: List[int] = fact("Of each worker.")
     makespan: int = fact("The loads of the worker that has most.")
-    makespan_bound: int = fact("However it is split, some worker has so many.")
+    makespan_bound: int = fact("A lower bound on makespan, for every split.")
     reason: str = fact("Of that bound.")
     worker_pairs: Optional[List[int]] = fact(
         "The pairs that each worker computes; the mean is the fewest that the fullest can have.")
@@ -304,7 +304,7 @@ class WorkerLoads(_Loads):
     bytes: Optional[int] = fact("That all workers load, if items have sizes.")
     worker_bytes: Optional[List[int]] = fact("Of each worker.")
     makespan_bytes: Optional[int] = fact("Of the worker that loads most bytes.")
-    makespan_bytes_bound: Optional[int] = fact("However it is split, some worker loads so many.")
+    makespan_bytes_bound: Optional[int] = fact("A lower bound on makespan_bytes, for every split.")
 
     def steps(self, worker: int) -> Iterator[Step]:
         """The steps of one worker, from 0."""
@@ -500,7 +500,7 @@ def load_order(  # type: ignore[misc]  # the second one says only what comes of 
     pairs: only these must meet; rows of two item numbers, or a NumPy array of shape (n, 2); `items`
     may then be None. With workers, rows may be (i, j, cost), as for pair_cost. groups: the pairs
     within each of these groups of items. against: pairs of each of the items with each of this many
-    others, numbered after them. done_items: the pairs of the first so many items have met before.
+    others, numbered after them. done_items: the number of first items whose pairs have met before.
 
     workers: split the order for this many workers, which gives WorkerLoads. Pairs are spread evenly
     over the workers that have them; with first_holder the first worker that has a pair computes it.

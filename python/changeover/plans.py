@@ -433,25 +433,24 @@ def plan(  # type: ignore[misc]  # the second one says only what comes of benche
     2, every two parts must meet, or 3, every three. pairs: only these must; never: these must not,
     (a, b) or (a, b, why). slots: a dict from the name of a slot to how many of its parts a set-up
     has, a number or (least, most), None for no limit, with slot_of, a dict from parts to their
-    slots; parts that cannot meet then need not.
-    mounted: parts that stay; start: parts that are mounted before the first test; first: set-ups
-    that must be run first; weights: a dict from pairs to what testing them is worth (others 1);
-    done: tests that were done, lists of names, each alone or as (names, result), where result is
-    True (passed), False (failed), None or a text such as 'FAILED - hang'. Pairs that met only in
-    tests that failed, or whose text is not understood, are needed again, unless trust_failed.
-    budget: test as much as it pays for. benches: so many side by side, or a name or a dict for
-    each, which gives BenchSheets, else it is a RunSheet; a dict has any of name, at_once,
-    test_cost, change_factor, slots, mounted, start, own (parts of which it has its own piece),
-    without (parts that it cannot have), hours (of work a day) and down. objective: 'makespan'
-    (None), the last test ends as early as can be, or 'cost', of all of them. quantities: a dict
-    from parts to how many there are, for all benches and for slots that need several; of others
-    there is one, without quantities one for each bench. hours: of work a day on benches that say
-    nothing else, with costs in hours; first_day: of the first tests, as '2025-03-31'; weekends:
-    they are worked on. With benches, done and first may have dicts with parts, bench and result.
-    without: parts that broke; other arguments may name them. time: seconds of search; None: a fixed
-    amount of it, or steps, moves of each local search. done_first: only so many of done were done.
-    shuffle: a seed with which interchangeable parts are swapped. title, compact: of what
-    is written.
+    slots; parts that cannot meet then need not. mounted: parts that stay; start: parts that are
+    mounted before the first test; first: set-ups that must be run first; weights: a dict from pairs
+    to what testing them is worth (others 1); done: tests that were done, lists of names, each alone
+    or as (names, result), where result is True (passed), False (failed), None or a text such as
+    'FAILED - hang'. Pairs that met only in tests that failed, or whose text is not understood, are
+    needed again, unless trust_failed. budget: test as much as it pays for. benches: how many work
+    side by side, or a name or a dict for each, which gives BenchSheets, else it is a RunSheet; a
+    dict has any of name, at_once, test_cost, change_factor, slots, mounted, start, own (parts of
+    which it has its own piece), without (parts that it cannot have), hours (of work a day) and
+    down. objective: 'makespan' (None), the last test ends as early as can be, or 'cost', of all of
+    them. quantities: a dict from parts to how many there are, for all benches and for slots that
+    need several; of others there is one, without quantities one for each bench. hours: of work a
+    day on benches that say nothing else, with costs in hours; first_day: of the first tests, as
+    '2025-03-31'; weekends: they are worked on. With benches, done and first may have dicts with
+    parts, bench and result. without: parts that broke; other arguments may name them. time: seconds
+    of search; None: a fixed amount of it, or steps, moves of each local search. done_first: how
+    many of done, from the first on, were done. shuffle: a seed with which interchangeable parts are
+    swapped. title, compact: of what is written.
 
     model: instead of parts and at_once, parameters with their values and rules in the language of
     PICT or ACTS, a string, or a file as a pathlib.Path. Every test then has one value of each

@@ -32,7 +32,7 @@ class SearchResult(Made):
 
 
 class Classification(Made):
-    """All designs with so many blocks, up to isomorphism."""
+    """All designs with a given number of blocks, up to isomorphism."""
 
     standard_forms: int = fact()
     classes: int = fact("Isomorphism classes.")
@@ -71,7 +71,7 @@ def search(
 
     exact=True walks up from the lower bound and proves each number of blocks impossible, with
     checked proofs, until there is a design: the minimum. first and last: elements of the first and
-    of the last block. expansion_set: unchanged subsets hold all other elements, each once.
+    of the last block. expansion_set: unchanged subsets together hold every other element once.
     contains: blocks that are in it, one after another. With any of these the result, and with
     exact=True what is proved, is about designs that have them; anew=True begins with no known
     design, else with the best one that has them. progress is called now and then with a

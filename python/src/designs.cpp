@@ -231,7 +231,8 @@ HeldDesign enlarged(const HeldDesign& self, std::optional<std::uint64_t> new_ele
     throw BadInput("factorization is 'circle' or 'doubled', not '" + factorization + "'");
   }
   if (!self.verdict.valid()) {
-    throw BadInput("it is no valid " + name(self.design->parameters()) + "; its verdict says why");
+    throw BadInput("it is not a valid " + name(self.design->parameters()) +
+                   "; its verdict says why");
   }
   return stoppable([&] {
     Enlarged larger =

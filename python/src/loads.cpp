@@ -111,7 +111,7 @@ class Check {
 std::shared_ptr<const PairGraph> pairs_in(std::optional<std::uint64_t> items,
                                           std::string_view bytes) {
   if (bytes.size() % (2 * sizeof(Element)) != 0) {
-    throw BadInput("the numbers of the pairs are no whole pairs");
+    throw BadInput("the numbers of the pairs are not whole pairs");
   }
   std::vector<Element> numbers(bytes.size() / sizeof(Element));
   std::memcpy(numbers.data(), bytes.data(), bytes.size());

@@ -105,7 +105,7 @@ py::object copied(const py::object& type, const py::bytes& bytes, std::size_t k)
   const std::size_t count = text.size() / sizeof(Element);
   if (k == 0 || k > std::numeric_limits<Element>::max() || text.size() % sizeof(Element) != 0 ||
       count % k != 0) {
-    throw py::value_error("these are no rows of that many numbers");
+    throw py::value_error("these are not rows of that many numbers");
   }
   const auto copy = std::make_shared<std::vector<Element>>(count);
   std::memcpy(copy->data(), text.data(), text.size());

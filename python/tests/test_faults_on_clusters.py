@@ -330,7 +330,7 @@ class Journals(unittest.TestCase):
                      json.dumps(self.job).encode(), b"x" * 200_000 + b"\n"):
             with open(self.path, "wb") as file:
                 file.write(text)
-            with self.assertRaisesRegex(changeover.BadInput, "no journal of a run on a cluster"):
+            with self.assertRaisesRegex(changeover.BadInput, "not a journal of a run on a cluster"):
                 _journal.Journal(self.path, self.job)
             self.assertEqual(self.bytes(), text)
 

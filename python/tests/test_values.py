@@ -264,7 +264,7 @@ class Values(unittest.TestCase):
             "^another version of changeover pickled this Entry; find it again$",
         ):
             again({**facts, "b": 3}, kept)
-        with self.assertRaisesRegex(ValueError, "^these are no rows of that many numbers$"):
+        with self.assertRaisesRegex(ValueError, "^these are not rows of that many numbers$"):
             DESIGN.blocks.__reduce_ex__(4)[0](b"12345", 1, zlib.crc32(b"12345", 1))
         rebuild, (state, k, checksum) = DESIGN.blocks.__reduce_ex__(4)
         for wrong in (0, -1, k - 1, 2 * k, 2**32, 2**62, 2**63, None, "4"):
@@ -289,7 +289,7 @@ class Values(unittest.TestCase):
         facts, asked, ends, *rest = pickle.loads(state)
         for wrong in (b"a", ends + b"a", ends[:-1], ends[:-4]):
             text = pickle.dumps((facts, asked, wrong, *rest), 4)
-            with self.assertRaisesRegex(changeover.BadInput, "are no whole pairs"):
+            with self.assertRaisesRegex(changeover.BadInput, "are not whole pairs"):
                 rebuild(kind, text, zlib.crc32(text))
 
     def test_an_order_that_is_verified_beside_the_work(self):

@@ -1,4 +1,4 @@
-// Numbers of blocks below which SAT found no design, where no bound above reaches them.
+// Lower bounds proved by SAT, where they are higher than every bound on paper.
 //
 // Every smaller number from the bound on paper up was excluded by SAT, and each DRAT proof was
 // checked: see docs/trust.md. docs/minima.md says how large the proofs are and whether a design

@@ -99,7 +99,7 @@ std::vector<Offer> Registry::offers(const Parameters& p) const {
       offers.push_back(*std::move(offer));
     }
   }
-  // Of equal ones what is written down comes last: the others say how they are made.
+  // Among equal offers, designs that are written down come last: the others say how they are made.
   std::ranges::stable_sort(offers, [](const Offer& a, const Offer& b) {
     const auto rank = [](const Offer& offer) {
       return std::pair(offer.b, offer.recipe.construction == "found");

@@ -184,7 +184,7 @@ void SameDesigns::remember(const CatalogEntry& entry) {
 }
 
 void SameDesigns::put(Class& known, const CatalogEntry& entry) {
-  // Of two labels at least one is not that of the given design.
+  // If there are two labels, at least one is not that of the given design.
   if (auto& labels = known.by_form[form_of(entry)]; labels.size() < 2) {
     labels.push_back(entry.label());
   }

@@ -86,7 +86,7 @@ Round round_of(const FactorFigure& figure) {
   for (std::size_t i = 0; i < figure.factors.size(); ++i) {
     for (const auto& [x, y] : figure.factors[i]) {
       if (x >= figure.order || y >= figure.order || x == y) {
-        throw BadInput(fmt::format("{{{},{}}} is no edge of K_{}", x, y, figure.order));
+        throw BadInput(fmt::format("{{{},{}}} is not an edge of K_{}", x, y, figure.order));
       }
       round.lines.push_back({x, y, i % colours, i / colours});
     }

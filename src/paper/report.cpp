@@ -71,8 +71,8 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// The items for which that holds with all that was found of them, under a heading; nothing if there
-// is none.
+// Appends the items for which `shown` holds, each with its findings, under a heading; nothing if
+// there is no such item.
 template <typename Shown>
 void append_findings(std::string& out, const PaperReport& report, std::string_view heading,
                      const Shown& shown) {

@@ -54,8 +54,8 @@ std::string wanted_defect(const Parameters& p, const Wanted& wanted) {
   }
   for (const auto& [what, block] : {std::pair("first", &wanted.first), {"last", &wanted.last}}) {
     if (block->size() > p.k) {
-      return fmt::format("the {} block has {} elements, not {}; name at most so many", what, p.k,
-                         block->size());
+      return fmt::format("the {} block has {} elements, not {}; name at most {}", what, p.k,
+                         block->size(), p.k);
     }
   }
   std::vector<const Block*> all{&wanted.first, &wanted.last};

@@ -33,7 +33,7 @@ for own in /mnt /media /srv /opt /usr/local/src /var/local /var/opt; do
   [[ ! -d $own || -n $(ls -A "$own") ]] || expect "one of the system's own folders" "$own"
 done
 expect 'neither empty nor of an earlier run' "$folder/full"
-expect 'it is no folder' "$folder/file"
+expect 'it is not a folder' "$folder/file"
 for good in "$folder/new" "$folder/new/deep" "$folder/empty" "$folder/earlier"; do
   expect 'only root may make a Debian' "$good"
 done

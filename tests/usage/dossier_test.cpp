@@ -16,30 +16,31 @@ using testing::HasSubstr;
 
 TEST(Dossier, SaysWhatAPaperNeeds) {
   const TemporaryFolder folder;
-  expect({{"$changeover dossier 8 5", 0, "# A circular DCCD(8,5) with 5 blocks"},
-          {"$changeover dossier 8 5 --linear", 0, "No linear DCCD(8,5) has fewer than"},
-          {"$changeover dossier 20 5", 0,
-           "has exactly 2 elements that the block before it lacks; the last block is before the "
-           "first."},
-          {"$changeover dossier 20 5", 0,
-           "Here i<sub>x</sub> is the number of blocks that introduce x"},
-          {"$changeover dossier 13 13 --linear", 0, "are together in some block. Quality"},
-          {"$changeover dossier 40 6 --circular", 0, "have their proofs there"},
-          {"$changeover dossier 20 5 | grep -c elementary", 1, "0"},
-          {"$changeover dossier 8.5.2.circular", 0, "grep -v \"^#\" design.txt | sha256sum"},
-          {"$changeover dossier 26.4.2.circular.65 --format html", 0, "<figcaption>"},
-          {"$changeover dossier 9 3 --change 1 --format html", 0,
-           "[<a href=\"#ChafeeStevens2023\">Chafee and Stevens 2023</a>]"},
-          {"$changeover dossier 9 3 --change 1 --format html", 0,
-           "<li id=\"ChafeeStevens2023\">Chafee"},
-          {"$changeover dossier 9 3 --change 1 --format html", 0, "elements have <i>j</i> stays"},
-          {"$changeover dossier 26 6 --change 1 --linear", 0, "63 reported \\[Bean2026\\]"},
-          {"$changeover dossier 9 5 --linear", 0, "drat-trim"},
-          {"$changeover dossier 8 5 -o d.tex && grep -c '.begin{document}' d.tex", 0, "1"},
-          {"$changeover dossier 200 101 --circular", 0, "checkdesign design.txt"},
-          {"$changeover dossier 253 13", 0, "The 1386 blocks are too many for a page."},
-          {"$changeover dossier 8 5 --json", 0, "\"format\":\"changeover-dossier/1\""}},
-         folder);
+  expect(
+      {{"$changeover dossier 8 5", 0, "# A circular DCCD(8,5) with 5 blocks"},
+       {"$changeover dossier 8 5 --linear", 0, "No linear DCCD(8,5) has fewer than"},
+       {"$changeover dossier 20 5", 0,
+        "has exactly 2 elements that are not in the block before it; the first block follows the "
+        "last."},
+       {"$changeover dossier 20 5", 0,
+        "Here i<sub>x</sub> is the number of blocks that introduce x"},
+       {"$changeover dossier 13 13 --linear", 0, "are together in some block. Quality"},
+       {"$changeover dossier 40 6 --circular", 0, "have their proofs there"},
+       {"$changeover dossier 20 5 | grep -c elementary", 1, "0"},
+       {"$changeover dossier 8.5.2.circular", 0, "grep -v \"^#\" design.txt | sha256sum"},
+       {"$changeover dossier 26.4.2.circular.65 --format html", 0, "<figcaption>"},
+       {"$changeover dossier 9 3 --change 1 --format html", 0,
+        "[<a href=\"#ChafeeStevens2023\">Chafee and Stevens 2023</a>]"},
+       {"$changeover dossier 9 3 --change 1 --format html", 0,
+        "<li id=\"ChafeeStevens2023\">Chafee"},
+       {"$changeover dossier 9 3 --change 1 --format html", 0, "elements have <i>j</i> stays"},
+       {"$changeover dossier 26 6 --change 1 --linear", 0, "63 reported \\[Bean2026\\]"},
+       {"$changeover dossier 9 5 --linear", 0, "drat-trim"},
+       {"$changeover dossier 8 5 -o d.tex && grep -c '.begin{document}' d.tex", 0, "1"},
+       {"$changeover dossier 200 101 --circular", 0, "checkdesign design.txt"},
+       {"$changeover dossier 253 13", 0, "The 1386 blocks are too many for a page."},
+       {"$changeover dossier 8 5 --json", 0, "\"format\":\"changeover-dossier/1\""}},
+      folder);
 }
 
 TEST(Dossier, RefusesWhatIsNoDesign) {

@@ -102,10 +102,10 @@ TEST_F(Draw, WhatTheConverterWritesIsNoPictureBeforeItWasLookedAt) {
   std::filesystem::create_directory(folder.path() / "tools");
   for (const std::string format : {"png", "pdf"}) {
     for (const auto& [does, words] : std::map<std::string, std::string>{
-             {"echo done", "rsvg-convert wrote 5 bytes that are no whole " + format},
+             {"echo done", "rsvg-convert wrote 5 bytes that are not a whole " + format},
              {"printf '\\211PNG\\r\\n\\032\\n'; printf '%%PDF-1.7\\n'",
-              "bytes that are no whole " + format},
-             {"printf '%%PDF-1.7\\n'", "rsvg-convert wrote 9 bytes that are no whole " + format},
+              "bytes that are not a whole " + format},
+             {"printf '%%PDF-1.7\\n'", "rsvg-convert wrote 9 bytes that are not a whole " + format},
              {"exit 0", "it says nothing"},
              {"kill -9 $$", "it says nothing"},
              {"head -c 100000 /dev/zero >&2; exit 1", "could not write"}}) {

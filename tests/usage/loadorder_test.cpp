@@ -395,7 +395,7 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 9 --room 4 --disjoint", 2, "--disjoint is for --workers"},
            {"--items 9 --room 4 --against 5 --workers 2 --disjoint", 0, "9 items with 5 others"},
            {"--items 13 --room 5 --time 200ms --quiet --threads 1 --seed 3", 0, "loads"},
-           {"--pairs edges --room 3", 0, "4 loads in 2 steps, the fewest possible"},
+           {"--pairs edges --room 3", 0, "4 loads, the fewest possible, in 2 steps"},
            {"--pairs edges --room 3 --json", 0, "\"wanted_pairs\":4"},
            {"--pairs named.csv --room 2", 0, "load left right"},
            {"--pairs formula.txt --room 2 --format csv", 0, "1,'=1 @x,"},

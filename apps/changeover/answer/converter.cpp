@@ -145,8 +145,9 @@ std::string converted(const std::string& svg, const std::string& format, unsigne
                                       converter_name, format, first_line(contents(complaints))));
   }
   if (!is_whole(picture, format)) {
-    throw MissingResource(fmt::format("{} wrote {} bytes that are no whole {}; write an .svg file",
-                                      converter_name, picture.size(), format));
+    throw MissingResource(
+        fmt::format("{} wrote {} bytes that are not a whole {}; write an .svg file", converter_name,
+                    picture.size(), format));
   }
   return picture;
 }

@@ -55,7 +55,7 @@ int complain(int code, const std::string& message) {
 int answer(const std::function<Answer()>& make, const std::string& verb,
            bool* delivered = nullptr) {
   const auto usage = [&verb](const std::string& message) {
-    return complain(exit_code::usage, message + "; see changeover " + as_typed(verb) + " --help");
+    return complain(exit_code::usage, with_help(message, " " + as_typed(verb)));
   };
   try {
     const int code = deliver(make());
@@ -68,7 +68,10 @@ int answer(const std::function<Answer()>& make, const std::string& verb,
   } catch (const BadOption& fault) {  // the command line said so, not the file
     return usage(fault.what());
   } catch (const ImpossibleParameters& fault) {
-    return complain(exit_code::usage, fault.what());
+    const std::string what = fault.what();
+    // A reason why no such design exists needs no remedy.
+    const bool is_whole = what.starts_with("there is no") || what.find(';') != std::string::npos;
+    return is_whole ? complain(exit_code::usage, what) : usage(what);
   } catch (const BadInput& fault) {
     return complain(exit_code::bad_input, fault.what());
   } catch (const MissingResource& fault) {
@@ -232,7 +235,7 @@ struct Verb::State {
 
 struct Program::State {
   CLI::App app{
-      "Finds, proves, draws and runs change covering designs: ordered lists of k-element blocks "
+      "Finds, verifies and draws change covering designs: ordered lists of k-element blocks "
       "over v elements in which every pair meets and consecutive blocks differ in m elements.",
       "changeover"};
   std::vector<std::unique_ptr<Verb>> verbs;

@@ -40,7 +40,7 @@ std::string usage_message(const CLI::ParseError& fault, const CLI::App& verb) {
     message = mismatch_message(message);
   }
   const std::string name = verb.get_parent() == nullptr ? "" : " " + verb.get_name();
-  return message + "; see changeover" + as_typed(name) + " --help";
+  return with_help(message, as_typed(name));
 }
 
 std::string misspelt(const CLI::App& program, int argc, char** argv) {
@@ -61,8 +61,7 @@ std::string misspelt(const CLI::App& program, int argc, char** argv) {
     verbs.push_back(each->get_name());
   }
   if (verb == nullptr) {
-    return "there is no verb '" + verb_name + "'" + did_you_mean(verb_name, verbs) +
-           "; see changeover --help";
+    return with_help("there is no verb '" + verb_name + "'" + did_you_mean(verb_name, verbs), "");
   }
   std::map<std::string, bool> takes_value;
   std::vector<std::string> known;
@@ -86,8 +85,8 @@ std::string misspelt(const CLI::App& program, int argc, char** argv) {
     const std::string name = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
     const auto found = takes_value.find(name);
     if (found == takes_value.end()) {
-      return as_typed(verb_name) + " has no option " + name + did_you_mean(name, known) +
-             "; see changeover " + as_typed(verb_name) + " --help";
+      return with_help(as_typed(verb_name) + " has no option " + name + did_you_mean(name, known),
+                       " " + as_typed(verb_name));
     }
     if (found->second && word.size() == name.size()) {
       ++i;  // its value

@@ -11,6 +11,11 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return nearest ? ", did you mean " + *nearest + "?" : std::string();
 }
 
+std::string with_help(const std::string& message, const std::string& verb) {
+  return message + (message.ends_with('?') ? " see changeover" : "; see changeover") + verb +
+         " --help";
+}
+
 std::string as_typed(std::string name) {
   if (const std::size_t hyphen = name.find('-'); hyphen != std::string::npos) {
     name[hyphen] = ' ';

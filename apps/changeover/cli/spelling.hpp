@@ -10,6 +10,10 @@ namespace changeover::cli {
 [[nodiscard]] std::string did_you_mean(const std::string& word,
                                        const std::vector<std::string>& known);
 
+/// The message and where help is: "…; see changeover design --help" for " design". There is no
+/// semicolon behind a question.
+[[nodiscard]] std::string with_help(const std::string& message, const std::string& verb);
+
 /// A verb as it is typed: one of a group, "catalog-show", is two words.
 [[nodiscard]] std::string as_typed(std::string name);
 

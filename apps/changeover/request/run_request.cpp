@@ -113,9 +113,10 @@ void RunRequest::add_limits_to(Verb& verb, const std::string& limit, OutputReque
   default_time = limit;
   output.precious = true;
   verb.option("--time", time, "DURATION",
-              limit == "0s" ? "search so long for a better answer, e.g. 90s, 5m, 2h (default: not)"
-                            : "stop after this time, e.g. 90s, 5m, 2h (default " +
-                                  (limit.empty() ? std::string("no limit") : limit) + ")");
+              limit == "0s"
+                  ? "how long to search for a better answer, e.g. 90s, 5m, 2h (default: not)"
+                  : "stop after this time, e.g. 90s, 5m, 2h (default " +
+                        (limit.empty() ? std::string("no limit") : limit) + ")");
   verb.option("--memory", memory, "SIZE",
               "memory for tables and formulas, e.g. 4G (default: half of the machine's)");
   if (uses_threads) {

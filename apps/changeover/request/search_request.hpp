@@ -53,7 +53,7 @@ struct BaseBlockSearch : SearchRequest {
   BaseBlockOptions options;
 };
 
-/// The blocks of a file in another order, with `reading.change` changes a step or with the fewest
+/// The blocks of a file in another order, with `reading.change` changes per step or with the fewest
 /// in all.
 struct OrderSearch : SearchRequest {
   std::string file;

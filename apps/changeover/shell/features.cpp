@@ -33,7 +33,8 @@ std::string cadical_version() {
   return package.empty() ? own : package + " (calls itself " + own + ")";
 }
 
-// Of a library that is loaded late; a report of what is wrong must name the others all the same.
+// The version of a library that is loaded late. If it is missing, the report must still list the
+// others.
 template <typename Version>
 std::string late_version(const Version& version) {
   try {

@@ -61,7 +61,7 @@ std::string entry_of(const OptionDescription& each) {
   return text;
 }
 
-// Of a verb, or of a page on several.
+// The end of the page of a verb, or of a page on several verbs.
 std::string ending(const std::vector<ExitCodeDescription>& codes) {
   std::string text = ".SH EXIT STATUS\n";
   for (const ExitCodeDescription& each : codes) {

@@ -325,10 +325,9 @@ void add_draw(Program& program) {
   verb.option("--from", request.from, "N", "the first block that is drawn, from 1");
   verb.option("--to", request.to, "N", "the last one");
   verb.choice("--order", request.order, {"first", "stays", "given"},
-              "of elements: by first block, by number of stays, as numbered (default first)");
-  verb.choice(
-      "--colour", request.colour, {"length", "ordinal"},
-      "of stays: how long, or whether the first, second, … of its element (default length)");
+              "sort elements by first block, by number of stays, or as numbered (default first)");
+  verb.choice("--colour", request.colour, {"length", "ordinal"},
+              "colour stays by length, or by their number within the element (default length)");
   verb.flag("--leaving", request.leaving, "array: mark leaving elements too");
   verb.flag("--expansion-sets", request.expansion_sets, "array: mark an expansion set");
   verb.option("--k", request.k, "A..B", "heatmap: block sizes (default 3..8)");
@@ -336,7 +335,7 @@ void add_draw(Program& program) {
   verb.choice(
       "--measure", request.measure, {"ratio", "status", "gap"},
       "heatmap: blocks over the lower bound, status, or blocks more than it (default ratio)");
-  verb.choice("--theme", request.theme, {"light", "dark"}, "the ground (default light)");
+  verb.choice("--theme", request.theme, {"light", "dark"}, "background (default light)");
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"svg", "tikz", "pdf", "png"});
   verb.require([&asked = request] { require_meaning(asked); });

@@ -164,18 +164,19 @@ void add_expand(Program& program) {
   auto [verb, request] = program.add<ExpandRequest>(
       "expand", "expand your own design by the recursion with expansion sets", run);
   verb.positional("FILE", request.path, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
-  add_kind_to(verb, request.kind, "take it as circular, whatever the file says",
-              "take it as linear");
+  add_kind_to(verb, request.kind, "treat the design as circular, whatever the file says",
+              "treat the design as linear");
   verb.choice("--factorization", request.factorization, {"circle", "doubled"},
               "the 1-factorization of the new elements (default circle)");
   verb.option("--set", request.which, "N", "use the N-th expansion set found (default 1)");
   verb.option("--list", request.list, "N", "list up to N expansion sets instead");
   verb.flag("--count", request.count, "count all expansion sets instead");
   verb.flag("--partial", request.partial,
-            "list inclusion-maximal partial ones, and the largest, instead");
-  verb.option("-w,--new-elements", request.new_elements, "W",
-              "insert W new elements at unchanged subsets that may overlap; 0: the best number\n"
-              "(so it is chosen, too, if there is no expansion set with an odd number of members)");
+            "list maximal partial expansion sets, and the largest, instead");
+  verb.option(
+      "-w,--new-elements", request.new_elements, "W",
+      "insert W new elements at unchanged subsets that may overlap; 0: the program chooses\n"
+      "the best number, as it does if no expansion set has an odd number of members");
   verb.option("--nodes", request.nodes, "N", "give up after N nodes of the search");
   verb.never_with({"--set", "--new-elements", "--factorization"},
                   {"--list", "--count", "--partial"});

@@ -1,4 +1,4 @@
-// changeover serve [FILE…]: the explorer in a browser.
+// changeover serve [FILE…]: the explorer, pages for a browser.
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -181,7 +181,7 @@ Answer run(const ServeRequest& request) {
 
 void add_serve(Program& program) {
   auto [verb, request] = program.add<ServeRequest>(
-      "serve", "open the explorer in a browser: catalog, designs, searches", run);
+      "serve", "serve the explorer, the pages for a browser: catalog, designs, searches", run);
   verb.positional("FILE", request.files, "designs to look at: text, JSON, CSV, GAP, Sage, XML",
                   false);
   verb.option("--port", request.port, "N", "listen on this port (default 0: one that is free)");
@@ -190,8 +190,8 @@ void add_serve(Program& program) {
   verb.option("--threads", request.threads, "N",
               "threads that answer (default: as many as the machine has, 2 to 16)");
   verb.flag("--open", request.open, "show it in the browser");
-  verb.flag("--no-write", request.no_write, "no searches, and nothing is added to the catalog");
-  verb.flag("--verbose", request.verbose, "a line on stderr for each request");
+  verb.flag("--no-write", request.no_write, "disable searches and additions to the catalog");
+  verb.flag("--verbose", request.verbose, "print a line per request on stderr");
   verb.option("--assets", request.assets, "DIR",
               "pages from this folder instead of those in the program, for work on them");
   verb.option("--export", request.site, "DIR",
@@ -199,7 +199,7 @@ void add_serve(Program& program) {
   verb.option("--address", request.address, "URL",
               "where these files will be, for a sitemap and a feed of what is new");
   verb.option("--sources", request.sources, "URL",
-              "where the program can be got, for a link on pages that need it");
+              "download address of the program, for a link on pages that need it");
   verb.option("--k", request.k, "A..B", "block sizes of these files (default 3..40)");
   verb.option("--v", request.v, "C..D", "their numbers of elements (default 4..160)");
   verb.option("-m,--change", request.change, "M", "their change number (default 1, 2 and 3)");

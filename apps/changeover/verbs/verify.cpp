@@ -165,13 +165,14 @@ void add_verify(Program& program) {
               "elements in which consecutive blocks differ");
   verb.option("-t,--strength", request.declared.strength, "T",
               "every T elements must meet (2, 3 or 4)");
-  add_kind_to(verb, request.declared.kind, "take it as circular, whatever the file says",
-              "take it as linear");
-  verb.flag("--elements", request.elements, "show i_x, r_x and e_x of every element");
+  add_kind_to(verb, request.declared.kind, "treat the design as circular, whatever the file says",
+              "treat the design as linear");
+  verb.flag("--elements", request.elements,
+            "show for every element x: introductions i_x, blocks r_x, excess e_x");
   request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover verify mine.txt", "changeover verify mine.csv --circular --change 1",
                  "changeover design 105 9 --json | changeover verify -"});
-  verb.outcomes({{exit_code::done, "valid"}, {exit_code::refuted, "no such design"}});
+  verb.outcomes({{exit_code::done, "valid"}, {exit_code::refuted, "not a valid design"}});
 }
 
 }  // namespace changeover::cli

@@ -83,7 +83,7 @@ struct CatalogFilter {
       {};  ///< "minimum", "best-known" or "retracted"; any that is not retracted if empty
   std::string construction = {};          ///< the name at the root of the recipe
   std::string since = {};                 ///< credited on this day or later
-  std::optional<std::uint64_t> gap = {};  ///< at least so many blocks over the bound
+  std::optional<std::uint64_t> gap = {};  ///< at least this many blocks over the bound
   bool best_only = true;                  ///< only the best of each cell
   bool users_only = false;                ///< only those of the user
 };

@@ -111,7 +111,7 @@ struct Made {
 /// fewer than 3 blocks or there is no way. O(k²).
 [[nodiscard]] std::optional<Made> join_ends_recipe(const Recipe& input, const Design& design);
 
-/// A cover of a design by unchanged subsets, as a recipe names it.
+/// The positions of a cover of a design by unchanged subsets, as a recipe lists them.
 struct CoverPositions {
   std::vector<Element> positions;  ///< increasing; see UnchangedCover
   std::uint64_t available = 0;     ///< how many positions the design has

@@ -36,7 +36,7 @@ using ExpansionSet = std::vector<UnchangedSubset>;
 
 /// How far a search may go; by default, to the end.
 struct SearchLimits {
-  /// At most so many nodes. A search that needs exactly so many is complete.
+  /// At most this many nodes. A search that needs exactly this number is complete.
   std::optional<std::uint64_t> nodes = {};
   /// Asked before the first node and then every 256 nodes; true ends the search.
   std::function<bool()> stop = {};
@@ -92,10 +92,10 @@ struct PartialExpansion {
 [[nodiscard]] std::vector<std::string> expanded_labels(std::vector<std::string> labels,
                                                        std::uint64_t count);
 
-/// The same as a stream over a stream, with the factorization made factor by factor: memory for the
-/// set only. The design is trusted; only the shape of the set is checked.
-/// @throws BadInput unless the set's positions increase and its subsets partition V into ℓ parts of
-/// k − 2 elements, and, from next(), if the source ends before the last position;
+/// The expansion (expand()) as a stream over the stream of a design; the factorization is made
+/// factor by factor. Memory for the set only. The design is trusted; only the shape of the set is
+/// checked. @throws BadInput unless the set's positions increase and its subsets partition V into ℓ
+/// parts of k − 2 elements, and, from next(), if the source ends before the last position;
 /// ImpossibleParameters if m ≠ 2, t ≠ 2, ℓ is even, or v + ℓ + 1 exceeds the limit of check().
 /// O(v).
 [[nodiscard]] std::unique_ptr<BlockSource> expand(
@@ -142,10 +142,11 @@ struct UnchangedCover {
   /// In order of position, positions distinct.
   std::vector<UnchangedSubset> subsets;
   /// The old elements that come beside unmatched new ones, for each subset: at most m − w of them
-  /// if w < m, at most one if m = 2 and w is odd. What is not said is chosen when expanding, and so
-  /// is everything if this is empty. Increasing.
+  /// if w < m, at most one if m = 2 and w is odd. Increasing. Elements that are not given here are
+  /// chosen during the expansion; if this is empty, all of them are.
   std::vector<Block> beside = {};
-  /// The index of the subset at whose position there is a sweep, if there is one.
+  /// The index in `subsets` of the subset at whose position there is a sweep. Without a sweep it
+  /// has no meaning.
   std::size_t sweep = 0;
   /// True if fewer subsets are proved not to suffice, apart from positions added because w is
   /// large.
@@ -192,7 +193,7 @@ struct CoverOptions {
 /// min(4N − 2k, 2N + k − 1) if k < N < 2k, about N²/2(k−1) + 2N beyond; for m = 2 the same with
 /// N = ⌈w/2⌉ and ⌊k/2⌋ for k. For m = 1 with an element left out N = w + 1, less one block.
 /// @param p of the smaller design.
-/// @param subsets ℓ; fewer than least_positions() count as so many.
+/// @param subsets ℓ; fewer than least_positions() count as that number.
 /// @throws ImpossibleParameters if w = 0, t ≠ 2, m = k, m ≥ 3 and w > m, v + w exceeds the limit of
 /// check(), or w < m and v < k + 2m − w, for then there is nothing to put beside.
 [[nodiscard]] std::uint64_t blocks_added(const Parameters& p, std::uint64_t subsets,
@@ -205,11 +206,11 @@ struct CoverOptions {
 [[nodiscard]] Design expand_by(const Design& design, const UnchangedCover& cover, std::uint64_t w,
                                FactorizationKind kind = FactorizationKind::circle);
 
-/// The same as a stream over a stream, factors made one at a time: memory for the cover and for the
-/// blocks at one position. The design is trusted; the shape of the cover is checked at once, and
-/// that its subsets are in the blocks beside them when they are reached, by next().
-/// @throws BadInput if the cover's shape does not fit or it has fewer than least_positions();
-/// ImpossibleParameters as blocks_added().
+/// The expansion by w elements (expand_by()) as a stream over the stream of a design, factors made
+/// one at a time. Memory for the cover and for the blocks at one position. The design is trusted;
+/// the shape of the cover is checked at once, and that its subsets are in the blocks beside them
+/// when they are reached, by next(). @throws BadInput if the cover's shape does not fit or it has
+/// fewer than least_positions(); ImpossibleParameters as blocks_added().
 [[nodiscard]] std::unique_ptr<BlockSource> expand_by(
     std::unique_ptr<BlockSource> source, UnchangedCover cover, std::uint64_t w,
     FactorizationKind kind = FactorizationKind::circle);

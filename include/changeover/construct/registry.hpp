@@ -86,7 +86,8 @@ class Construction {
   /// differences then certify it (verify/difference.hpp).
   [[nodiscard]] virtual std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const;
 
-  /// The same under a permutation with several cycles, if they are not too many to write out.
+  /// The base blocks of the recipe's design under a permutation with several cycles, if it has such
+  /// a development and the base blocks are not too many to write out.
   [[nodiscard]] virtual std::optional<OrbitBaseBlocks> orbit_base_blocks(
       const Recipe& recipe) const;
 
@@ -99,8 +100,8 @@ class Construction {
   /// its inputs: "Develop the base block {0,1,2,5} over Z_11."
   [[nodiscard]] virtual std::string explain(const Recipe& recipe) const;
 
-  /// Names for the elements where numbers would say less (∞_s, 0_l, …); empty otherwise. Those of
-  /// the inputs are kept, so the registry is needed.
+  /// Names for the elements if the construction has its own (∞_s, 0_l, …); empty otherwise. The
+  /// names of the inputs are kept; the registry is needed for these.
   [[nodiscard]] virtual std::vector<std::string> labels(const Recipe& recipe,
                                                         const Registry& registry) const;
 };

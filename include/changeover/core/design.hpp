@@ -84,7 +84,7 @@ class Design {
 
   void reserve(std::size_t blocks) { elements_.reserve(blocks * parameters_.k); }
 
-  /// The same blocks read as the other kind.
+  /// Reads the blocks as those of a design of this kind.
   void set_kind(Kind kind) { parameters_.kind = kind; }
 
   /// The name of an element: its label, or its number in decimal.

@@ -35,7 +35,7 @@ struct Automorphism {
   std::uint64_t cycles = 0;  ///< s
   std::uint64_t fixed = 0;   ///< f
 
-  /// With n-cycles and so many fixed points on v elements; nullopt unless n ≥ 1 divides
+  /// With n-cycles and a number of fixed points on v elements; nullopt unless n ≥ 1 divides
   /// v − fixed ≥ 0.
   [[nodiscard]] static std::optional<Automorphism> on(std::uint64_t v, std::uint64_t n,
                                                       std::uint64_t fixed = 0) {
@@ -68,7 +68,7 @@ struct Automorphism {
     return static_cast<Element>(x + power - (sum >= n ? n : 0));
   }
 
-  /// The same for each element of a block, in its place.
+  /// Writes π^power(x) for each element x of a block, in its place.
   void image(std::span<const Element> block, std::uint64_t power, std::span<Element> to) const {
     std::transform(block.begin(), block.end(), to.begin(),
                    [&](Element x) { return image(x, power); });
@@ -111,7 +111,8 @@ struct BaseBlocks {
   bool operator==(const BaseBlocks&) const = default;
 };
 
-/// The same under a permutation with several cycles; automorphism.v() is the v of the base blocks.
+/// A circular design given by base blocks under a permutation with several cycles; automorphism.v()
+/// is the v of the base blocks.
 struct OrbitBaseBlocks {
   BaseBlocks base;
   Automorphism automorphism;
@@ -123,8 +124,8 @@ class DevelopedSource final : public BlockSource {
   /// @throws BadInput unless there is a base block and each has k elements below v.
   explicit DevelopedSource(const BaseBlocks& base);
 
-  /// The same under π^shift, shift < n, instead of x ↦ x + 1. pi.v() must be the v of the base
-  /// blocks.
+  /// The development under π^shift, shift < n, instead of x ↦ x + 1. pi.v() must be the v of the
+  /// base blocks.
   DevelopedSource(BaseBlocks base, const Automorphism& pi, std::uint64_t shift = 1);
 
   [[nodiscard]] const Parameters& parameters() const override { return base_.parameters; }

@@ -42,7 +42,8 @@ class PairSet {
   /// O(x / 64).
   void insert_below(Element x, std::span<const std::uint64_t> below);
 
-  /// The same of the elements from 64 · `word` on, with one bit each in `bits`. O(1).
+  /// Adds {x,y} for every y < x among the 64 elements from 64 · `word` on whose bit is set in
+  /// `bits`. O(1).
   void insert_below(Element x, std::size_t word, std::uint64_t bits) {
     const std::uint64_t first = 64 * std::uint64_t{word};
     if (first >= x) {
@@ -94,7 +95,8 @@ class PairSet {
     scan(~std::uint64_t{0}, limit, visit);
   }
 
-  /// The same for the pairs that are in the set.
+  /// Calls visit(x, y), x < y, for up to `limit` pairs that are in the set, ordered by y and then
+  /// by x.
   template <typename Visit>
   void for_each(std::uint64_t limit, Visit&& visit) const {
     scan(0, limit, visit);

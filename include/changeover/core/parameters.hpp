@@ -44,11 +44,11 @@ struct Parameters {
 
   auto operator<=>(const Parameters&) const = default;
 
-  /// The same with another kind.
+  /// These parameters with another kind.
   [[nodiscard]] constexpr Parameters as(Kind other) const {
     return {v, k, change, other, strength};
   }
-  /// The same with another number of elements.
+  /// These parameters with another number of elements.
   [[nodiscard]] constexpr Parameters on(std::uint64_t elements) const {
     return {elements, k, change, kind, strength};
   }

@@ -169,7 +169,8 @@ struct Imported {
 /// Fewest blocks of each cell, retracted entries left out.
 using BestOfCells = std::map<Parameters, std::uint64_t>;
 
-/// The same for a file, which is read but not verified. @throws BadInput as entry_from_line().
+/// The fewest blocks of each cell in a file or in a catalog. A file is read but not verified.
+/// @throws BadInput as entry_from_line().
 [[nodiscard]] BestOfCells best_of_cells(Input& input);
 [[nodiscard]] BestOfCells best_of_cells(const Catalog& catalog);
 
@@ -231,13 +232,13 @@ struct AuditScope {
 [[nodiscard]] Audit audit_entries(const Catalog& catalog, const AuditScope& scope,
                                   RunControl& control, const std::set<std::string>& done = {},
                                   const std::function<void(const std::string&)>& good = {});
-/// The same for all entries that a filter lets through.
+/// Verifies again all entries that a filter lets through.
 [[nodiscard]] inline Audit audit_catalog(const Catalog& catalog, const CatalogFilter& filter,
                                          RunControl& control) {
   return audit_entries(catalog, audit_scope(catalog, filter), control);
 }
 
-/// What is wrong with one entry; empty if nothing. A RunControl scope of the calling thread can
+/// What is wrong with one entry; empty if it is valid. A RunControl scope of the calling thread can
 /// stop it.
 [[nodiscard]] std::string fault_of_entry(const CatalogEntry& entry);
 
@@ -255,8 +256,8 @@ struct AuditScope {
 // the closure rules find its best recipe.
 
 struct CatalogSearch {
-  /// The time for a cell in the first pass over all of them, doubled in each pass after it;
-  /// nothing: a fiftieth of the remaining time, but 1 to 60 s.
+  /// The time for a cell in the first pass over all cells; each later pass doubles it. If not
+  /// given, a fiftieth of the remaining time, at least 1 s and at most 60 s.
   std::optional<std::chrono::duration<double>> each = {};
   Introduction introduction = {};  ///< of the finds; program and command are filled in
 };
@@ -270,11 +271,11 @@ struct CatalogFind {
   std::string how;  ///< one line
 };
 
-/// Searches for better designs of the cells that the filter lets through and whose best is above
-/// its bound, again and again until the control stops. It begins with the cells whose gap is
-/// largest relative to their number of blocks, and among equals with the smaller, because more
-/// designs are made from those. Calls found() for each find after it is in the user's file. @throws
-/// as Catalog::add(); BadInput as newcomer_of().
+/// Searches for better designs of the cells that the filter lets through and whose best design has
+/// more blocks than the lower bound. It passes over these cells again and again until the control
+/// stops. Cells whose gap is largest relative to their number of blocks come first; among equals
+/// the smaller ones, because more designs are made from those. Calls found() for each find after it
+/// is in the user's file. @throws as Catalog::add(); BadInput as newcomer_of().
 [[nodiscard]] std::vector<CatalogFind> improve_catalog(
     Catalog& catalog, const CatalogFilter& filter, RunControl& control,
     const CatalogSearch& search = {}, const std::function<void(const CatalogFind&)>& found = {});

@@ -88,8 +88,8 @@ inline constexpr std::uint64_t most_read_elements = 20'000'000;  ///< circle: bl
 /// can.
 [[nodiscard]] std::optional<std::string> range_defect(const DrawOptions& options);
 
-/// The same, or why so many blocks cannot be drawn like this, in one line that says how a part of
-/// them can; nullopt if they can. Cheap.
+/// Why a design with this number of blocks cannot be drawn with these options (range_defect(), or
+/// it is too large), in one line that says how a part of it can be drawn; nullopt if it can. Cheap.
 [[nodiscard]] std::optional<std::string> draw_defect(const Parameters& p, std::uint64_t blocks,
                                                      const DrawOptions& options);
 
@@ -97,9 +97,9 @@ inline constexpr std::uint64_t most_read_elements = 20'000'000;  ///< circle: bl
 /// `to`; if the picture is of a recipe and the design has none, or a wrong one.
 [[nodiscard]] Picture draw(const Design& design, const DrawOptions& options = {});
 
-/// The same of a stream, which is read from where it stands; labels are empty or one for each
-/// element. A circular one is read twice. It has no recipe. @throws also as BlockSource::read() and
-/// Transitions.
+/// A picture of the design in a stream, which is read from where it stands; labels are empty or one
+/// for each element. A circular one is read twice. It has no recipe. @throws also as
+/// BlockSource::read() and Transitions.
 [[nodiscard]] Picture draw(BlockSource& source, const DrawOptions& options = {},
                            const std::vector<std::string>& labels = {});
 

@@ -158,7 +158,7 @@ struct Picture {
 /// A complete SVG file. O(its length).
 [[nodiscard]] std::string svg(const Picture& picture, Theme theme = Theme::light);
 
-/// TeX has a limited memory: a picture for it has at most so many marks.
+/// TeX has a limited memory: the greatest number of marks of a picture for it.
 inline constexpr std::size_t most_marks_of_tikz = 10'000;
 
 /// One tikzpicture. @throws BadInput if the picture has more than most_marks_of_tikz marks.

@@ -58,8 +58,9 @@ struct TextHeader {
   std::optional<Recipe> recipe = {};
 };
 
-/// The same for a stream, which is read to its end. Returns the number of blocks. O(bytes written);
-/// for v ≤ 65,535 each element costs one unaligned copy of 8 bytes unless labels are longer.
+/// Writes the blocks of a stream as text; the stream is read to its end. Returns the number of
+/// blocks. O(bytes written); for v ≤ 65,535 each element costs one unaligned copy of 8 bytes unless
+/// labels are longer.
 std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& header = {});
 
 /// "changeover design v=61 k=4 change=2 kind=circular", with " strength=3" if it is not 2.
@@ -92,7 +93,8 @@ std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& head
 /// Writes the blocks of a design, elements by label.
 void write_csv(const Design& design, Sink& sink);
 
-/// The same for a stream, which is read to its end. Returns the number of blocks.
+/// Writes the blocks of a stream as CSV; the stream is read to its end. Returns the number of
+/// blocks.
 std::uint64_t write_csv(BlockSource& source, Sink& sink,
                         const std::vector<std::string>& labels = {});
 
@@ -134,8 +136,8 @@ struct DesignVerdict {
 void write_json(const Design& design, Sink& sink,
                 const std::optional<DesignVerdict>& verdict = std::nullopt);
 
-/// The same for a stream, which is read to its end. Calls for the verdict after the last block,
-/// when it is known; it may be empty. Returns the number of blocks.
+/// Writes the blocks of a stream as JSON; the stream is read to its end. Calls for the verdict
+/// after the last block, when it is known; it may be empty. Returns the number of blocks.
 std::uint64_t write_json(BlockSource& source, Sink& sink, const TextHeader& header = {},
                          const std::function<std::optional<DesignVerdict>()>& verdict = {});
 

@@ -51,9 +51,9 @@ class Input {
 /// @throws MissingResource with one line if it is missing, unreadable or a directory.
 [[nodiscard]] std::unique_ptr<Input> open_input(const std::string& path);
 
-/// Opens a list as open_input() does, or one sheet of a workbook: "parts.xlsx:Costs" is the sheet
-/// Costs of parts.xlsx if there is no file of the whole name. @throws as open_input(); reading
-/// throws if there is no such sheet.
+/// Opens a list: a file as open_input() opens it, or one sheet of a workbook. "parts.xlsx:Costs"
+/// means the sheet Costs of parts.xlsx, unless there is a file with this whole name. @throws as
+/// open_input(); reading throws if there is no such sheet.
 [[nodiscard]] std::unique_ptr<Input> open_list(const std::string& path);
 /// The path of the file: "parts.xlsx".
 [[nodiscard]] std::string list_file(const std::string& path);

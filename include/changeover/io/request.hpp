@@ -94,7 +94,7 @@ struct RequestPlaces {
   /// What a message begins with that is about a value of the document, "job.json:3:12: ". `what` is
   /// a key, or a row of a list as "pairs[3]". Empty if the document has no such key.
   [[nodiscard]] std::string before(std::string_view what) const;
-  /// The same for the document as a whole, where something is missing.
+  /// What a message begins with that is about the document as a whole, where something is missing.
   [[nodiscard]] std::string before_all() const;
 
   bool operator==(const RequestPlaces& /*other*/) const { return true; }
@@ -175,9 +175,9 @@ struct RequestTable {
 /// How this door spells the key of an option: "--at-once" on the command line, "at_once" in a
 /// document. A positional argument has the name that the help gives it.
 [[nodiscard]] std::string spelled(const OptionRecord& record, Door door);
-/// The same with its value on the command line: "--at-once K".
+/// How this door spells an option with its value: "--at-once K" on the command line.
 [[nodiscard]] std::string spelled_with_value(const OptionRecord& record, Door door);
-/// Its help with what holds by default: "pairs that must meet (default: all)".
+/// The help of an option with its default: "pairs that must meet (default: all)".
 [[nodiscard]] std::string help_of(const OptionRecord& record);
 
 }  // namespace changeover

@@ -94,10 +94,12 @@ struct CanonicalForm {
   Isomorphism map;  ///< carries the given design to `design`
 };
 
-/// The same design for all designs that are the same as this one. O(n·bk) as find_isomorphism().
+/// The canonical form: isomorphic designs have equal canonical forms. `same` says which changes of
+/// a design count as isomorphisms. O(n·bk) as find_isomorphism().
 [[nodiscard]] CanonicalForm canonical_form(const Design& design, const Sameness& same = {});
 
-/// The same with every block in its place: only elements are renamed. O(bk).
+/// The standard form: designs that differ only in the names of elements have equal standard forms.
+/// Blocks keep their places. O(bk).
 [[nodiscard]] CanonicalForm standard_form(const Design& design);
 
 // The symmetries of a design: all maps that carry it to itself.

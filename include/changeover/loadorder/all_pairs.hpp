@@ -341,7 +341,8 @@ struct AllPairsReport {
   std::uint64_t steps_done = 0;     ///< including recorded ones
   std::uint64_t steps_resumed = 0;  ///< recorded by an earlier run, with matching results
   std::uint64_t steps_lost = 0;     ///< recorded, but computed again because the results were lost
-  /// The same for steps of the earlier shares that this share has checked.
+  /// Steps of earlier shares that this share has checked: recorded with matching results, and
+  /// computed again because the results were lost.
   std::uint64_t earlier_resumed = 0;
   std::uint64_t earlier_lost = 0;
   std::string note;  ///< one line about journal lines that do not count; empty if all count
@@ -362,7 +363,7 @@ struct AllPairsReport {
 AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairCompute& compute,
                          const AllPairsOptions& options = {});
 
-/// The same for planned shares (split_load_order()): this process takes share options.share.index.
+/// Runs one of the planned shares (split_load_order()) to its end: share options.share.index.
 /// `earlier` journals are not supported. @throws as above; BadInput unless options.share.of is the
 /// number of shares
 AllPairsReport all_pairs(ItemSource& source, const WorkerSplit& shares, const PairCompute& compute,
@@ -411,7 +412,7 @@ AllPairsReport all_pairs(ItemSource& source, const WorkerSplit& shares, const Pa
 struct HeldItem {
   Element item = 0;
   std::span<std::byte> bytes;
-  /// Owns the bytes, which another item takes when this one goes.
+  /// The owner of the bytes. The memory is used for another item when this one is evicted.
   const std::shared_ptr<std::vector<std::byte>>* memory = nullptr;
 };
 

@@ -103,9 +103,9 @@ struct LoadOrderOptions {
   /// Orders of at most this many items (at most 65,535) are verified step by step before they are
   /// returned.
   std::uint64_t read_up_to = 65'535;
-  /// Whether that happens before plan_load_order() returns. If not, the caller verifies the order,
-  /// for example with ScheduleCheck during its own work; facts().every_step_read is false then, and
-  /// the order is the same.
+  /// Whether plan_load_order() verifies the order before it returns. If not, the caller verifies
+  /// it, for example with ScheduleCheck during its own work; facts().every_step_read is false then,
+  /// and the order is the same.
   bool read_first = true;
   bool constructions = true;  ///< whether to use the constructions of the registry
   bool closure_rules = true;  ///< whether to use the closure rules, too

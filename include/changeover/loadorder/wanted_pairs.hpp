@@ -48,7 +48,7 @@ class PairGraph {
   PairGraph(std::uint64_t items, std::span<const ItemPair> pairs,
             std::vector<std::string> names = {});
 
-  /// The same from pairs that `each` passes to its argument; each call must pass the same pairs.
+  /// A graph of the pairs that `each` passes to its argument; each call must pass the same pairs.
   using Visit = std::function<void(Element, Element)>;
   PairGraph(std::uint64_t items, const std::function<void(const Visit&)>& each,
             std::vector<std::string> names);
@@ -79,7 +79,7 @@ class PairGraph {
 };
 
 struct PairFileOptions {
-  std::optional<std::uint64_t> items = {};  ///< there are so many, numbered from 0 or named
+  std::optional<std::uint64_t> items = {};  ///< their number; they are numbered from 0 or named
   bool groups = false;  ///< a line is a group of items, of which all pairs are wanted
   /// Receives the costs in the third column of a list of pairs; unchanged if there is no such
   /// column. If null, a third column is refused with a message that ends in `no_costs`.
@@ -100,7 +100,7 @@ class WantedPairs {
   /// All pairs; the number of items is given elsewhere.
   WantedPairs() = default;
 
-  /// All pairs of so many items: where pairs are asked for a number of items will do.
+  /// All pairs of `items` items: where pairs are asked for a number of items will do.
   WantedPairs(std::uint64_t items) : items_(items) {}  // NOLINT(google-explicit-constructor)
 
   /// Items 0, …, a−1 with items a, …, a+b−1. @throws BadInput if one of them is 0.
@@ -110,7 +110,7 @@ class WantedPairs {
   /// items.
   [[nodiscard]] static WantedPairs beyond(std::uint64_t done, std::uint64_t items);
 
-  /// @throws BadInput if no item occurs.
+  /// The pairs of a graph. @throws BadInput if no item occurs.
   [[nodiscard]] static WantedPairs listed(std::shared_ptr<const PairGraph> graph);
 
   /// All pairs of named items: of a graph that has them all, although they were not listed.
@@ -121,7 +121,7 @@ class WantedPairs {
   /// 0 if it is not said of how many items all pairs are.
   [[nodiscard]] std::uint64_t items() const { return items_; }
 
-  /// The same pairs; if they are all, of so many items.
+  /// These pairs if they are listed; if they are all pairs, all pairs of `items` items.
   [[nodiscard]] WantedPairs among(std::uint64_t items) const {
     return are_all() ? WantedPairs(items) : *this;
   }

@@ -96,7 +96,7 @@ struct SplitFacts {
   LoadBound makespan_bound;          ///< no split has a smaller makespan
   std::uint64_t bytes = 0;           ///< loaded by all workers, if items have sizes
   std::uint64_t makespan_bytes = 0;  ///< of the worker that loads most bytes
-  LoadBound makespan_bytes_bound;    ///< in any split some worker loads so many
+  LoadBound makespan_bytes_bound;    ///< a lower bound for the busiest worker, for every split
   std::string
       explanation;  ///< one line: how the common order is made, and whether its items are groups
   std::string certificate;  ///< one line: how the split was verified, and which pairs were counted
@@ -138,10 +138,10 @@ class WorkerSplit {
   /// The order that was cut; or all shares one after another, each starting with an empty memory.
   [[nodiscard]] const LoadOrder& order() const { return order_; }
 
-  /// The steps of a worker, 0 ≤ worker < W. For shares and streamed orders that takes O(C + its
-  /// steps). For other orders the steps before its own are read and skipped: once for all workers,
-  /// if the streams are requested in the order of the workers and each is read to its end.
-  /// @throws BadInput if there is no such worker.
+  /// The steps of a worker, 0 ≤ worker < W. O(C + its steps) for shares and streamed orders. For
+  /// other orders the steps before those of the worker are read and skipped; if the streams are
+  /// requested in the order of the workers and each is read to its end, this happens only once for
+  /// all workers. @throws BadInput if there is no such worker.
   [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
 
   /// The steps of all workers, one worker after another. The stream must not outlive this object.
@@ -206,7 +206,8 @@ class WorkerSplit {
                                            std::uint64_t fast_room, std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
-/// The same for items of different sizes (ItemSizes::fast_memory), whose order is always cut.
+/// Splits an order for two levels and items of different sizes (ItemSizes::fast_memory) among
+/// workers; the order is always cut into stretches.
 [[nodiscard]] WorkerSplit split_two_levels(std::shared_ptr<const ItemSizes> sizes,
                                            const WantedPairs& wanted, std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
@@ -260,10 +261,10 @@ class WorkerSplit {
                                             std::uint64_t workers,
                                             const LoadOrderOptions& options = {});
 
-/// The same at two levels (loadorder/load_order.hpp), each worker with its own accelerator:
-/// an order as above, of items in groups, and after each of its steps what groups meet for the
-/// first time is done on the accelerators, in several steps. Verified. @throws as
-/// plan_disjoint_order() and plan_two_levels()
+/// An order for disjoint workers at two levels (loadorder/load_order.hpp), each worker with its own
+/// accelerator: an order as that of plan_disjoint_order(), of items in groups, and after each of
+/// its steps what groups meet for the first time is done on the accelerators, in several steps.
+/// Verified. @throws as plan_disjoint_order() and plan_two_levels()
 [[nodiscard]] LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
                                              std::uint64_t fast_room, std::uint64_t workers,
                                              const LoadOrderOptions& options = {});
@@ -334,8 +335,8 @@ using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
 [[nodiscard]] PrefetchPlan plan_prefetch(const WantedPairs& wanted, std::uint64_t room,
                                          const LoadOrderOptions& options = {});
 
-/// The same for workers: the way whose busiest worker finishes first. @throws as
-/// split_load_order().
+/// A split that loads while pairs are computed, with or without a place that is kept for loads: the
+/// way whose busiest worker finishes first. @throws as split_load_order().
 [[nodiscard]] PrefetchSplit split_prefetch(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
@@ -356,10 +357,10 @@ using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
 //     // each step: fast_evict, evict, start `load`, wait for what is transferred, fast_load,
 //     // compute
 
-/// The same transfers and pairs, with each load as early as memory has room for it. What memory
-/// leaves free for loads is the best of some numbers, in the model above with one disk that loads
-/// item by item. ScheduleFacts::ahead counts the loads of earlier steps. Verified.
-/// @throws ImpossibleParameters above 5·10⁷ moves
+/// The given order or split at two levels with the same transfers and pairs, and each load as early
+/// as memory has room for it. What memory leaves free for loads is the best of some numbers, in the
+/// model above with one disk that loads item by item. ScheduleFacts::ahead counts the loads of
+/// earlier steps. Verified. @throws ImpossibleParameters above 5·10⁷ moves
 [[nodiscard]] LoadOrder start_loads_early(LoadOrder order);
 [[nodiscard]] WorkerSplit start_loads_early(WorkerSplit split);
 

@@ -155,7 +155,8 @@ struct BenchCount {
 [[nodiscard]] BenchCount count_benches(const Job& job, const std::vector<Bench>& benches,
                                        const BenchSchedule& schedule);
 
-/// The same for equal benches that have every part, start empty, and never wait.
+/// Counts and checks lists of set-ups, one list per bench, for equal benches that have every part,
+/// start empty, and never wait.
 [[nodiscard]] BenchCount count_benches(const Job& job,
                                        const std::vector<std::vector<Block>>& lists);
 

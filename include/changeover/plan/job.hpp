@@ -425,9 +425,9 @@ struct PartList {
     Input& input, const std::vector<std::string>& names,
     std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
 
-/// The same for the parts of a job. Values of a model are given by their names or as "Parameter:
-/// value", in any case, and have no numbers; the set-ups may have a first row of parameter names,
-/// with values below.
+/// Reads pairs or set-ups of the parts of a job. Values of a model are given by their names or as
+/// "Parameter: value", in any case, and have no numbers; the set-ups may have a first row of
+/// parameter names, with values below.
 [[nodiscard]] PairSet read_pairs(Input& input, const Job& job, PairReasons* why = nullptr);
 [[nodiscard]] std::vector<Block> read_setups(Input& input, const Job& job);
 
@@ -506,7 +506,7 @@ struct DoneRecord {
 [[nodiscard]] DoneList read_done(Input& input, const std::vector<std::string>& names,
                                  std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
 
-/// The same for the parts of a job, like read_setups().
+/// Reads a run sheet as above, for the parts of a job; names are read as by read_setups().
 [[nodiscard]] DoneList read_done(Input& input, const Job& job);
 
 /// Reads slots with their limits, one row `slot,least,most` each; with a header of such words
@@ -526,7 +526,8 @@ struct DoneRecord {
 [[nodiscard]] Block parts_named(const std::vector<std::string>& words,
                                 const std::vector<std::string>& names);
 
-/// The same for the parts of a job, like read_pairs().
+/// Finds parts of a job by name, or by number if no name is a number; values of a model as
+/// read_pairs() reads them. @throws BadInput (without a place) for unknown or repeated parts.
 [[nodiscard]] Block parts_named(const std::vector<std::string>& words, const Job& job);
 
 /// The names of the parts in one line, which parse_parts() reads back.

@@ -165,9 +165,9 @@ class CheckedJobRequest {
 /// naming options as the door does, for wrong keys; BadInput for wrong lists; MissingResource for
 /// files that cannot be read. O(v³ + size of the lists).
 [[nodiscard]] CheckedJobRequest checked_job(const JobRequest& request, Door door);
-/// The same for a request from a workbook; its notes come first. With `seconds` of a search it
-/// takes these and three more: what a job needs is decided whole, but the rules of a model can be
-/// harder than any machine is fast. @throws Stopped
+/// Reads and checks a request that was opened, perhaps from a workbook, whose notes come first.
+/// With `seconds` of a search it takes these and three more: what a job needs is decided whole, but
+/// the rules of a model can be harder than any machine is fast. @throws Stopped
 [[nodiscard]] CheckedJobRequest checked_job(const OpenedRequest& opened, Door door,
                                             std::optional<double> seconds = {});
 

@@ -75,7 +75,8 @@ struct ProofVerdict {
                                        std::istream& proof, const std::string& proof_name,
                                        const ProofOptions& options = {});
 
-/// The same for two files. @throws as above, and MissingResource if one cannot be opened.
+/// Checks the proof in one file against the formula in another. @throws as above, and
+/// MissingResource if one cannot be opened.
 [[nodiscard]] ProofVerdict check_proof_files(const std::string& cnf_path,
                                              const std::string& proof_path,
                                              const ProofOptions& options = {});

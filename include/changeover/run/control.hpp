@@ -117,20 +117,22 @@ class RunControl {
   RunControl(RunControl& parent, std::chrono::duration<double> time,
              std::optional<std::uint64_t> seed = {});
 
-  /// The same with a limit of work instead of a time: what it leads to depends on no clock.
+  /// A control for one phase of a longer search with a limit of work instead of time: the result
+  /// does not depend on a clock.
   RunControl(RunControl& parent, Questions questions);
 
   /// For work that the parent's own limit, of time or of questions, does not cut short: it stops
   /// with what stops the parent otherwise.
   [[nodiscard]] static std::unique_ptr<RunControl> beyond_limit(RunControl& parent);
 
-  /// Whether that is so here or above: what is stopped ends with the best so far.
+  /// Whether this control or one of its parents was made by beyond_limit(): work that is stopped
+  /// then ends with the best so far.
   [[nodiscard]] bool keeps_best() const {
     return !parents_limit_counts_ || (parent_ != nullptr && parent_->keeps_best());
   }
 
-  /// The same without its own time limit, for `threads` threads and without a callback: one of
-  /// several attempts that run side by side.
+  /// A control for one of several attempts that run side by side: for `threads` threads, without
+  /// its own time limit and without a callback.
   RunControl(RunControl& parent, unsigned threads);
 
   RunControl(const RunControl&) = delete;
@@ -143,7 +145,7 @@ class RunControl {
   /// Whether to stop now. Thread-safe; call it every 10 to 100 microseconds at most.
   [[nodiscard]] bool stop_wanted();
 
-  /// Checks that a table, a formula, … of so many bytes is allowed. `what` names it in the message,
+  /// Checks that `bytes` for a table, a formula, … are allowed. `what` names it in the message,
   /// as in "the formula of DCCD(60,5)". @throws MissingResource with one line if it is more than
   /// memory_bytes.
   void require_memory(std::uint64_t bytes, std::string_view what) const;
@@ -231,7 +233,7 @@ class RunScope {
 /// some 30 ns; nothing without a scope.
 void stop_if_asked();
 
-/// Checks that so many bytes are within the memory limit of this thread's scope. @throws
+/// Checks that this many bytes are within the memory limit of this thread's scope. @throws
 /// MissingResource if not; `what` begins its message.
 void require_memory(std::uint64_t bytes, std::string_view what);
 

@@ -234,9 +234,10 @@ struct MinimaRange {
 
 /// Fills in the missing rows of the range, smallest v first, so that easy rows come before hard
 /// ones, and calls on_row after each new row. Rows are sorted by strength, m, kind, k and v. If the
-/// control has stopped, only rows that need no search are filled in. Ends early, without an
-/// exception, when the scope of the caller stops (run/control.hpp). @throws as find_minimum() and
-/// best_known_table(), and a MissingResource that ended a search; the rows so far stay.
+/// control has stopped, only rows that need no search are filled in. If the scope of the caller
+/// stops (run/control.hpp), the function returns early, without an exception. @throws as
+/// find_minimum() and best_known_table(), and a MissingResource that ended a search; the rows so
+/// far stay.
 void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
                  const MinimumOptions& options, RunControl& control,
                  const std::function<void(const MinimaRow&)>& on_row);
@@ -256,7 +257,7 @@ void write_minima(const std::vector<MinimaRow>& rows, Sink& sink);
 /// Markdown: tables of minima by v and k, of the proofs, and of open cases.
 [[nodiscard]] std::string minima_markdown(const std::vector<MinimaRow>& rows);
 
-/// The same as LaTeX, for the packages booktabs and longtable.
+/// The table of minima as LaTeX, for the packages booktabs and longtable.
 [[nodiscard]] std::string minima_latex(const std::vector<MinimaRow>& rows);
 
 }  // namespace changeover

@@ -178,7 +178,7 @@ struct ChangeWanted {
 
 struct ChangeOrderOptions {
   std::uint64_t rotations = 2'000'000;  ///< of the path, at most
-  std::size_t sat_blocks = 150;         ///< SAT for at most so many blocks
+  std::size_t sat_blocks = 150;         ///< SAT for at most this many blocks
   std::uint64_t conflicts = 1'000'000;  ///< of the SAT solver, at most
 };
 

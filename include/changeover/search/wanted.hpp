@@ -44,7 +44,7 @@ struct Wanted {
 /// lower_bound().
 [[nodiscard]] Bound wanted_bound(const Parameters& p, const Wanted& wanted);
 
-/// The same from a bound that is known for p.
+/// The largest lower bound for designs with the properties, given a bound that is known for p.
 [[nodiscard]] Bound wanted_bound(const Parameters& p, const Wanted& wanted, Bound known);
 
 /// The elements that must be in unchanged subsets with expansion_set: those not in `first` or

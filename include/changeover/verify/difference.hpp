@@ -43,9 +43,10 @@ struct DifferenceVerdict {
 /// distinct elements below v; ImpossibleParameters as check().
 [[nodiscard]] DifferenceVerdict verify_differences(const BaseBlocks& base);
 
-/// The same under a permutation with several cycles of length n: an orbit of pairs is a difference
-/// modulo n within a cycle, up to sign, or from one cycle to another. Memory is a bit for each
-/// orbit. @throws as the above, and BadInput if pi.v() is another v or an element is fixed.
+/// Decides the design developed under a permutation with several cycles of length n by its
+/// differences: an orbit of pairs is a difference modulo n within a cycle, up to sign, or from one
+/// cycle to another. Memory is a bit for each orbit. @throws as the above, and BadInput if pi.v()
+/// is another v or an element is fixed.
 [[nodiscard]] DifferenceVerdict verify_differences(const BaseBlocks& base, const Automorphism& pi);
 
 // Difference certificates for base blocks that share an interval, in time that does not depend on

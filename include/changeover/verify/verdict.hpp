@@ -109,10 +109,11 @@ struct Verdict {
 /// bits exceed 4 GiB.
 [[nodiscard]] Verdict verify(BlockSource& source, const VerifyOptions& options = {});
 
-/// The same for a design in memory.
+/// The verdict on a design in memory. @throws as above.
 [[nodiscard]] Verdict verify(const Design& design, const VerifyOptions& options = {});
 
-/// The same for blocks that the caller also uses for something else:
+/// A verdict on blocks that are passed one batch after another, while the caller also uses them for
+/// something else:
 ///
 ///     RunningVerdict running(parameters);
 ///     for_each_batch(source, [&](std::span<const Element> blocks) {
@@ -188,7 +189,7 @@ class VerifiedDesign {
 /// The design, if verify() finds it valid; nothing otherwise. @throws as verify().
 [[nodiscard]] std::optional<VerifiedDesign> verified(Design design);
 
-/// The same for a design that must be valid. `what` names it in the message, as in "a repaired
+/// The design, verified, if it must be valid. `what` names it in the message, as in "a repaired
 /// DCCD(60,5)". @throws InternalError if it is not.
 [[nodiscard]] VerifiedDesign surely_verified(Design design, std::string_view what);
 

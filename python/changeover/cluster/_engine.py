@@ -42,7 +42,7 @@ class Engine(Protocol):
         """Sends a part to a worker; an event tells when it is done."""
 
     def wait(self, seconds: float) -> List[Event]:
-        """Returns at the first event, or after so many seconds."""
+        """Returns at the first event, or after the given number of seconds."""
 
     def outcome(self, number: int) -> Outcome:
         """The result of a part that is done. Raises Lost."""

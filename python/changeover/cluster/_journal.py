@@ -130,7 +130,7 @@ class Journal:
         except (ValueError, RecursionError):
             said = None
         if not isinstance(said, dict) or said.get("format") != _format:
-            raise BadInput(f"{self._path}: this file is no journal of a run on a cluster")
+            raise BadInput(f"{self._path}: this file is not a journal of a run on a cluster")
         for key, value in job.items():
             if said.get(key) != value:
                 raise BadInput(

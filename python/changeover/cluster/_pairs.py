@@ -153,7 +153,7 @@ def all_pairs(
     itself, compute(i, i, item, item); rows (i, i) of `pairs` request this for one item. cost: a
     function cost(i, j), or a number for each row of pairs: parts are cut by cost instead of by the
     number of pairs. sizes: bytes of items, a number, a list or a function; with memory a worker
-    holds at most so many bytes, otherwise they are for the report.
+    holds at most that many bytes, otherwise they are for the report.
 
     threads: of each worker, for load() and compute(); None: as many as Dask reports, otherwise 1.
     overlap: loads run while pairs are computed, in one of the `room` places, or in the bytes of the

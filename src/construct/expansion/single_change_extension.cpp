@@ -176,7 +176,7 @@ class ExtendedSource final : public InsertingSource {
         start_(lasting_blocks(design, rounds)) {}
 
  private:
-  // Of further elements, how many are named at once.
+  // The number of further elements that are named at once.
   static constexpr std::size_t most_at_once = 1024;
 
   static std::uint64_t lasting_steps(std::uint64_t k) { return script(k).steps.size() - (k - 2); }
@@ -235,7 +235,7 @@ class ExtendedSource final : public InsertingSource {
   std::uint64_t further_ = 0;  // where to look for the next of them
 };
 
-// Of a design whose end may be taken away; see the header.
+// The expansion set of a design whose end may be removed; see the header.
 std::optional<ExpansionSet> lasting_expansion_set(const Design& design) {
   const std::size_t b = design.block_count();
   const bool circular = design.parameters().kind == Kind::circular;

@@ -16,8 +16,8 @@ constexpr std::array<int, 95> advances = {
     575, 775, 752, 295, 295, 656, 557, 863, 748, 787, 603, 787, 695, 635,  611, 732, 684, 989, 685,
     611, 685, 390, 337, 390, 838, 500, 500, 613, 635, 550, 635, 615, 352,  635, 634, 278, 278, 579,
     278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818, 592, 592,  525, 636, 337, 636, 838};
-// Of others by their columns on a terminal: marks above letters, letters and signs, ideographs and
-// pictographs.
+// Widths of other characters by their columns on a terminal, 0 to 2: marks above letters; letters
+// and signs; ideographs and pictographs.
 constexpr std::array<double, 3> others = {0, 0.95, 1.25};
 constexpr double wider_if_bold = 1.12;
 

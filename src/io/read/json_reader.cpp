@@ -255,8 +255,7 @@ class DesignHandler final : public JsonHandler {
     } else if (event.type == EventType::other_number && plain_number(event.text)) {
       defect = collector_.add(event.text);  // too large for a machine word, not for a name
     } else if (event.type == EventType::other_number) {
-      defect =
-          fmt::format("element {} is not a whole number from 0 on; correct it", shown(event.text));
+      defect = fmt::format("element {} is not a whole number; write 0 or more", shown(event.text));
     } else {
       json_->fail_expecting(event, "an element, a number or a label in quotes");
     }

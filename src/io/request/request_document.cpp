@@ -96,9 +96,14 @@ void RequestDocument::require_known(const std::vector<std::string_view>& keys) c
   }
 }
 
+// The value of a key as a message quotes it; an object or an array is not quoted.
+static std::string quoted(const JsonNode& node) {
+  return node.text.empty() ? "this" : shown(node.text);
+}
+
 std::uint64_t RequestDocument::number(const OptionRecord& record, const JsonNode& node) const {
   if (!node.is_natural()) {
-    fail(node, record.key, "write a whole number");
+    fail(node, record.key, fmt::format("{} is not a whole number; write one", quoted(node)));
   }
   return node.natural;
 }
@@ -127,7 +132,9 @@ bool RequestDocument::flag(const OptionRecord& record, const JsonNode& node) con
 std::string RequestDocument::text(const OptionRecord& record, const JsonNode& node) const {
   const bool is_amount = record.kind == ValueKind::amount;
   if (!node.is_text() && !(is_amount && node.is_number())) {
-    fail(node, record.key, is_amount ? "write an amount, as 12.50" : "write a string");
+    fail(node, record.key,
+         is_amount ? fmt::format("{} is not an amount; write one, as 12.50", quoted(node))
+                   : fmt::format("{} is not a string; put it in quotes", quoted(node)));
   }
   if (is_amount && node.text.empty()) {
     fail(node, record.key, "it is empty; write an amount, as 12.50, or leave it out");

@@ -53,13 +53,17 @@ class Adapter {
   bool end_array() { return close(JsonEvent::Type::end_array); }
 
   bool parse_error(std::size_t byte, const std::string& /*token*/, const json::exception& fault) {
-    source_.fail(byte > 0 ? byte - 1 : 0, "not JSON: " + in_short(fault.what()) + "; correct it");
+    const std::string what = in_short(fault.what());
+    if (byte <= 1 && what.starts_with("unexpected end of input")) {
+      source_.fail(0, "the input is empty; give a JSON object");
+    }
+    source_.fail(byte > 0 ? byte - 1 : 0, "not JSON: " + what + "; correct it");
   }
 
  private:
-  // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while parsing
-  // value - unexpected ']'; expected '[', '{', or a literal", without what the place says, and
-  // without what the file has there, which can be as long as the file.
+  // Shortens "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while
+  // parsing value - unexpected ']'; expected '[', '{', or a literal": the place is left out, and so
+  // is the quoted text of the file, which can be as long as the file.
   static std::string in_short(std::string_view what) {
     for (const std::string_view end : {"] ", ": syntax error", " - "}) {
       const std::size_t at = what.find(end);

@@ -93,7 +93,7 @@ struct XmlReader::State {
     return {XML_GetCurrentLineNumber(parser), XML_GetCurrentColumnNumber(parser) + 1};
 #endif
   }
-  // Of the event, in bytes from the beginning; negative if that is not known.
+  // The place of the event in bytes from the beginning; negative if it is not known.
   [[nodiscard]] std::int64_t offset() const {
 #ifdef XML_ATTR_DEPRECATED
     return XML_GetCurrentByteIndex64(parser);

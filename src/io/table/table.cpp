@@ -280,8 +280,8 @@ std::string columns_latex(const Table& table, const std::vector<const TableColum
 }  // namespace
 
 std::string table_latex(const Table& table) {
-  // Points of the class article: its line without an indent, a digit, and what stands between
-  // columns; then small.
+  // Widths in points in the class article: a line without an indent, a digit, and the space between
+  // columns; then a digit and the space in small print.
   constexpr double line = 330;
   constexpr double digit = 5;
   constexpr double between = 12;

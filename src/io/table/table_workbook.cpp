@@ -122,7 +122,7 @@ class Workbook {
     return made;
   }
 
-  // Of costs with so many decimals.
+  // The format of costs with this number of decimals.
   lxw_format* cost(std::size_t decimals) {
     const std::string code = decimals == 0 ? "#,##0" : "#,##0." + std::string(decimals, '0');
     return format([&](lxw_format* f) { format_set_num_format(f, code.c_str()); });
@@ -342,7 +342,7 @@ class SheetWriter {
   // A list to choose from; other words are taken, too.
   void offer(const Choices& choices, std::size_t column, lxw_row_t first, lxw_row_t last) {
     Choices said = choices;  // the library asks for characters that it may write to
-    // Of char* or const char*, as the version of the library has it.
+    // Pointers to char or const char, as the version of the library has it.
     std::vector<std::remove_pointer_t<decltype(lxw_data_validation::value_list)>> list;
     list.reserve(said.words.size() + 1);
     for (std::string& word : said.words) {

@@ -146,7 +146,7 @@ class Texts final : public XmlHandler {
     }
     texts_->back() += piece;
     if (texts_->back().size() > longest_cell) {
-      throw BadInput(file_ + ": a cell of more than 32,767 characters; this is no list");
+      throw BadInput(file_ + ": a cell of more than 32,767 characters; this is not a list");
     }
   }
 

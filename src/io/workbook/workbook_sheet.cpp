@@ -91,7 +91,7 @@ class Rows final : public XmlHandler {
     if (in_value_) {
       value_ += piece;
       if (value_.size() > longest_cell) {
-        fail("more than 32,767 characters; this is no list");
+        fail("more than 32,767 characters; this is not a list");
       }
     }
   }
@@ -158,7 +158,7 @@ class Rows final : public XmlHandler {
     row_bytes_ += bytes;
     bytes_ += bytes;
     if (row_bytes_ > most_row_bytes) {
-      fail("a row of more than 16 MiB; this is no list");
+      fail("a row of more than 16 MiB; this is not a list");
     }
     if (bytes_ > most_text_bytes) {
       fail("more than 1 GiB; give a list without repetitions");

@@ -107,8 +107,9 @@ std::string ZipArchive::Member::next() {
   bytes.resize(static_cast<std::size_t>(count));
   state_->read += bytes.size();
   if (state_->read > state_->limit) {
-    throw BadInput(fmt::format("{}: {} has more than {} MiB when it is unpacked; this is no list",
-                               state_->file, state_->member, state_->limit >> 20));
+    throw BadInput(
+        fmt::format("{}: {} has more than {} MiB when it is unpacked; this is not a list",
+                    state_->file, state_->member, state_->limit >> 20));
   }
   return bytes;
 }

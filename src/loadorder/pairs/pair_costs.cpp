@@ -78,7 +78,7 @@ class CostList {
   void take(const Row& row) {
     if (row.size() != 3) {
       rows_.fail(row[std::min<std::size_t>(row.size() - 1, 3)],
-                 "give two items and what their pair costs in each row");
+                 "the cost of the pair is missing; write two items and a cost in each row");
     }
     const Element x = item(row[0]);
     const Element y = item(row[1]);

@@ -275,8 +275,8 @@ void consider_all_pairs(const PairGraph& graph, std::uint64_t room, const LoadOr
   quick.improve = nullptr;
   quick.read_first = false;  // It is read with the pairs of the list afterwards.
   const LoadOrder all = plan_all_pairs(items, room, quick);
-  // One by one, what is loaded in the same step would meet what goes later in it: only more pairs
-  // meet.
+  // If the loads of a step are made one by one, an item also meets those that are evicted later in
+  // the step: only more pairs meet.
   if (all.facts().loads < best.moves.size()) {
     best.method = all.facts().method;
     best.explanation = "An order for all pairs. " + all.facts().explanation;

@@ -20,7 +20,7 @@ RowOptions row_options(bool groups) {
   RowOptions options = item_row_options();
   if (!groups) {
     options.longest_line = 65'536;
-    options.too_long = "a line of more than 65536 bytes; give two items a line";
+    options.too_long = "a line of more than 65536 bytes; give two items per line";
   }
   return options;
 }
@@ -139,9 +139,10 @@ class PairReader {
     }
     for (const Field& field : row_) {
       if (!field.in_quotes && are_numbers(field.text)) {
-        rows_.fail(field, fmt::format("'{}' is more than one number; give two items a line, or put "
-                                      "it in quotes if it is a name",
-                                      field.text));
+        rows_.fail(field,
+                   fmt::format("'{}' is more than one number; give two items per line, or put "
+                               "it in quotes if it is a name",
+                               field.text));
       }
     }
     return !row_.empty();

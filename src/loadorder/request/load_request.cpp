@@ -43,7 +43,7 @@ std::vector<RequestOption<R>> options() {
           option("done_items", "N", "the pairs of the first N items are done", &R::done_items,
                  {.unit = "items", .c = "done_items"}),
           option("fast_room", "C",
-                 "so many of those in memory are on an accelerator, where pairs meet",
+                 "number of the items in memory that fit on an accelerator, where pairs meet",
                  &R::fast_room, {.unit = "items"}),
           option("item_bytes", "N", "bytes an item, to say how many are moved", &R::item_bytes,
                  {.unit = "bytes", .not_in_python = "what is moved is the loads times the bytes"}),
@@ -54,8 +54,8 @@ std::vector<RequestOption<R>> options() {
           option("memory", "SIZE", "bytes in memory at once, of items with --sizes", &R::memory,
                  {.unit = "bytes", .of_every_search = true}),
           option("fast_memory", "SIZE",
-                 "so many bytes of these are on an accelerator, where pairs meet", &R::fast_memory,
-                 {.unit = "bytes"}),
+                 "bytes of the memory that fit on an accelerator, where pairs meet",
+                 &R::fast_memory, {.unit = "bytes"}),
           option("workers", "W", "split it for W workers with room C each", &R::workers,
                  {.unit = "workers", .by_default = "1", .c = "workers"}),
           option("worker", "I", "only the steps of worker I of these, from 0", &R::worker,
@@ -104,7 +104,7 @@ std::vector<RequestOption<R>> options() {
                  "--seed",
                  &R::spread),
       },
-      "search so long for a better order", times_of_orders);
+      "how long to search for a better order", times_of_orders);
   for (RequestOption<R>& each : all) {
     if (each.record.key == "seconds" || each.record.key == "seed") {
       each.record.c = each.record.key;

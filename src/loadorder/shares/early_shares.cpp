@@ -13,7 +13,7 @@
 namespace changeover {
 namespace {
 
-// Of the slowest worker.
+// The time of the slowest worker.
 double time_of(const WorkerSplit& split, const WorkerSteps& steps) {
   ScheduleRules rules = split.rules(ComputeRules{});
   double longest = 0;

@@ -49,7 +49,7 @@ struct Weights {
   std::uint64_t transfer = 0;
 };
 
-// Of two levels what both move, measured by the least there can be.
+// At two levels the moves on both, each divided by its lower bound.
 Weights weights_of(const LoadOrderFacts& whole) {
   if (!whole.fast_room) {
     return {};
@@ -152,8 +152,8 @@ std::vector<std::uint64_t> StepSizes::best_shares(std::uint64_t workers) const {
   }));
 }
 
-// Steps of each worker. If all are alike each step brings as many pairs together but the first,
-// which brings as many as `ahead` steps more; these are left to others.
+// The number of steps of each worker. Each step brings the same number of pairs together, except
+// the first, which brings together those of `ahead` further steps; its worker gets fewer steps.
 std::vector<std::uint64_t> equal_shares(std::uint64_t steps, std::uint64_t workers,
                                         std::uint64_t ahead) {
   std::vector<std::uint64_t> counts(static_cast<std::size_t>(workers), 0);

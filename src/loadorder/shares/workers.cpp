@@ -87,14 +87,14 @@ LoadOrderOptions unread(LoadOrderOptions options, std::uint64_t workers) {
   return options;
 }
 
-// Of all pairs: stretches of an order of items or groups, or shares.
+// The best split of all pairs: stretches of an order of items or groups, or shares.
 WorkerSplit split_all_pairs(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
                             const LoadOrderOptions& options) {
   LoadOrder order = plan_load_order(items, room, unread(options, workers));
   if (workers > 1) {
     order = order_to_cut(std::move(order), items, room, workers, options);
   }
-  // Of fewer items pairs are given away one by one, and need no uneven loads.
+  // With fewer items pairs are assigned one by one, which needs no uneven loads.
   const bool even_pairs = options.balance && items > most_items_of_a_table;
   WorkerSplit split = SplitMaker::stretches(std::move(order), items, room, workers, even_pairs);
   if (workers > 1) {
@@ -114,7 +114,7 @@ bool has_less_to_load(const WorkerSplit& split, const WorkerSplit& other) {
          std::pair(other.facts().makespan, other.facts().loads);
 }
 
-// Of listed pairs, each worker a part of them with its own order.
+// A split of listed pairs: each worker has a part of them with its own order.
 std::optional<WorkerSplit> split_by_neighbourhoods(const WorkerSplit& like,
                                                    const LoadOrderOptions& options) {
   const PairGraph& graph = *like.order().facts().wanted.graph();
@@ -135,8 +135,8 @@ std::optional<WorkerSplit> split_by_neighbourhoods(const WorkerSplit& like,
       "that lacks the fewest partners, and what all parts have left over is exchanged.");
 }
 
-// Of some: stretches, neighbourhoods of listed pairs, blocks of two sets, or what is left of a
-// split of all pairs.
+// The best split of some pairs only: stretches, neighbourhoods of listed pairs, blocks of two sets,
+// or the wanted pairs of a split of all pairs.
 WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
                              const LoadOrderOptions& options) {
   std::vector<WorkerSplit> candidates;

@@ -321,8 +321,9 @@ class ScheduleText {
       return what + busiest + groups + spare;
     }
     return fmt::format(
-        "{}{} in {}, {}\n{}", what, loads, count_of(steps, "step"),
-        spare_ ? fmt::format("lower bound {}", bound.loads) : over(facts_.loads, bound), spare);
+        "{}{}, {}, in {}\n{}", what, loads,
+        spare_ ? fmt::format("lower bound {}", bound.loads) : over(facts_.loads, bound),
+        count_of(steps, "step"), spare);
   }
 
   [[nodiscard]] std::string what_meets() const {

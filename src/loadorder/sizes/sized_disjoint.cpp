@@ -27,7 +27,7 @@ struct Best {
   LockstepLists lists;  // span and loads in bytes
   std::string method;
   std::string explanation;
-  // Of two levels: the bytes of both, each over its bound.
+  // At two levels: the bytes of both, each divided by its bound.
   std::function<double(const LockstepLists&)> cost_of = {};
   double cost = 0;
 

@@ -170,7 +170,7 @@ class SizedSplit {
                                       best->groups, best->explanation)));
   }
 
-  // Of two sets each worker has a part of one with a part of the other.
+  // Adds splits of two sets: each worker has a part of one with a part of the other.
   void add_blocks() {
     const std::uint64_t first = wanted_.first();
     const std::span<const Element> a(items_.begin(), static_cast<std::size_t>(first));

@@ -56,8 +56,8 @@ std::string with_its_blocks(const Economical& found) {
       found.additional, found.never);
 }
 
-// All that fails here fails where two or more elements are in every block, as the circular bound
-// does.
+// Each failure found here has two or more elements in every block; the circular bound fails there,
+// too.
 constexpr const char* cause = "Theorem 1";
 
 constexpr std::string_view reason_of_theorem_1 =

@@ -216,7 +216,8 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
   }
   for (const Element x : bench.own) {
     if (contains(bench.without, x)) {
-      return fmt::format("{} is in its columns own and without; remove it from one", job.names[x]);
+      return fmt::format("part {} is in the columns 'own' and 'without'; remove it from one",
+                         shown(job.names[x]));
     }
   }
   if (job.model != nullptr) {

@@ -157,7 +157,7 @@ class PartFinder {
     if (are_several(word)) {
       return fmt::format("{} is several parts; write one part per field", shown(word));
     }
-    // Of short names and numbers any other is near.
+    // To a short name or a number, every other one is near.
     constexpr std::size_t least_letters = 3;
     const bool is_word =
         word.size() >= least_letters && word.find_first_not_of("0123456789") != std::string::npos;

@@ -197,7 +197,7 @@ class SetupReader {
     const auto found = std::ranges::find_if(list_.rows, is_result);
     if (columns_.notes && !list_.has_results() && found != list_.rows.end()) {
       list_.notes.push_back(
-          fmt::format("{}: {} is among the notes, which are no results; write it in the column of "
+          fmt::format("{}: {} is among the notes, which are not results; write it in the column of "
                       "results",
                       reader_.place(header_[*columns_.notes]), shown(found->notes)));
     }

@@ -204,7 +204,7 @@ class ValueCosts {
       }
       if (width(row) > columns.size() + 1) {
         reader_.fail(row[columns.size() + 1],
-                     "more costs than the table has columns; remove what is too much");
+                     "more costs than the table has columns; remove this field and those after it");
       }
     }
   }

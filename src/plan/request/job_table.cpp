@@ -43,10 +43,11 @@ std::vector<RequestOption<R>> options() {
                  {.kind = K::amount, .unit = "cost"}),
           option("change_cost", "Y", "what mounting a part costs where the list does not say",
                  &R::change_cost, {.kind = K::amount, .unit = "cost"}),
-          option("change_costs", "FILE",
-                 "a square table: what putting in the part of the column costs where that of the "
-                 "row was taken out; of a model: one parameter,value,cost per line",
-                 &R::change_costs, {.shape = RowShape::table}),
+          option(
+              "change_costs", "FILE",
+              "a square table: cost of replacing the part of the row by the part of the column; of "
+              "a model: one parameter,value,cost per line",
+              &R::change_costs, {.shape = RowShape::table}),
           option("cost_unit", "", "unit of all costs; with a unit of time, the sheet shows a clock",
                  &R::cost_unit,
                  {.by_default = "as the list says",
@@ -61,10 +62,10 @@ std::vector<RequestOption<R>> options() {
           option("slots", "FILE",
                  "how many parts a set-up has in each slot, one slot,least,most per line",
                  &R::slots, {.shape = RowShape::slots}),
-          option("slot", "NAME=N,…", "the same in one line, e.g. CPU=1,disk=2..4,fan=..2", &R::slot,
-                 {.not_in_python = "slots is a dict there, which is as short"}),
+          option("slot", "NAME=N,...", "the same in one line, e.g. CPU=1,disk=2..4,fan=..2",
+                 &R::slot, {.not_in_python = "slots is a dict there, which is as short"}),
           option("mounted", "A,B", "parts that stay mounted in every set-up", &R::mounted),
-          option("start", "A,B,…", "parts that are mounted before the first test", &R::start),
+          option("start", "A,B,...", "parts that are mounted before the first test", &R::start),
           option("first", "FILE", "set-ups to run first, in this order, the parts of one per line",
                  &R::first, {.shape = RowShape::setups}),
           option(
@@ -116,7 +117,7 @@ std::vector<RequestOption<R>> options() {
           option("steps", "N", "moves of each local search", &R::steps,
                  {.unit = "moves", .by_default = "chosen automatically"}),
       },
-      "search so long", times_of_plans);
+      "how long to search", times_of_plans);
 }
 
 std::vector<OptionRule> rules() {
@@ -157,7 +158,7 @@ std::vector<OptionRule> rules() {
       {Says::never_with,
        {"pairs", "weights", "shuffle", "what_if", "diagnose"},
        {"strength=3"},
-       "{} applies to pairs and has no meaning with {strength=3}; leave one of them out"},
+       "{} needs {strength=2}; leave out {} or {strength=3}"},
       {Says::only_with,
        {"objective=makespan"},
        {"benches"},

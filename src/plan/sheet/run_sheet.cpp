@@ -179,7 +179,7 @@ class SheetCounter {
   void check_place(const Block& setup) {
     if (job_->model != nullptr) {
       if (const auto broken = broken_rule(*job_->model, setup)) {
-        fault(fmt::format("{} is no test of the model: {}", where(), *broken));
+        fault(fmt::format("{} is not a test of the model: {}", where(), *broken));
       }
     }
     for (const Element x : setup) {
@@ -193,7 +193,7 @@ class SheetCounter {
     }
   }
 
-  // A value out of range hides what the others would show.
+  // A value out of range makes a test fail early, so its other pairs do not count as tested.
   [[nodiscard]] bool hides(Element x) const {
     return job_->model != nullptr && x < job_->model->values() && job_->model->value(x).negative;
   }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -38,12 +40,16 @@ class MinimaCells {
     return row_[next_++].text;
   }
 
+  /// The next field, of the column `name`.
   template <typename Number>
-  Number number() {
+  Number number(std::string_view name) {
     const std::string_view digits = cell();
     const auto value = parsed<Number>(digits);
     if (!value) {
-      fail(fmt::format("'{}' is not a number in the allowed range", digits));
+      fail(std::is_floating_point_v<Number>
+               ? fmt::format("{}: '{}' is not a number", name, digits)
+               : fmt::format("{}: '{}' is not a whole number from 0 to {}", name, digits,
+                             std::numeric_limits<Number>::max()));
     }
     return *value;
   }
@@ -68,27 +74,27 @@ class MinimaCells {
 MinimaRow row_from(MinimaCells& reader) {
   MinimaRow row;
   Parameters& p = row.parameters;
-  p.strength = reader.number<std::uint32_t>();
-  p.change = reader.number<std::uint64_t>();
+  p.strength = reader.number<std::uint32_t>("strength");
+  p.change = reader.number<std::uint64_t>("change");
   const auto kind = kind_from_string(reader.cell());
   if (!kind) {
     reader.fail("the kind must be linear or circular");
   }
   p.kind = *kind;
-  p.k = reader.number<std::uint64_t>();
-  p.v = reader.number<std::uint64_t>();
-  row.start = reader.number<std::uint64_t>();
-  row.lower = reader.number<std::uint64_t>();
-  if (const auto upper = reader.number<std::uint64_t>(); upper != 0) {
+  p.k = reader.number<std::uint64_t>("k");
+  p.v = reader.number<std::uint64_t>("v");
+  row.start = reader.number<std::uint64_t>("on_paper");
+  row.lower = reader.number<std::uint64_t>("lower");
+  if (const auto upper = reader.number<std::uint64_t>("upper"); upper != 0) {
     row.upper = upper;
   }
   row.by = csv_text(reader.cell());
-  row.seconds = reader.number<double>();
-  row.solve_seconds = reader.number<double>();
-  row.check_seconds = reader.number<double>();
-  row.proof_bytes = reader.number<std::uint64_t>();
-  row.proof_steps = reader.number<std::uint64_t>();
-  row.limit = reader.number<std::uint64_t>();
+  row.seconds = reader.number<double>("seconds");
+  row.solve_seconds = reader.number<double>("solve_seconds");
+  row.check_seconds = reader.number<double>("check_seconds");
+  row.proof_bytes = reader.number<std::uint64_t>("proof_bytes");
+  row.proof_steps = reader.number<std::uint64_t>("proof_steps");
+  row.limit = reader.number<std::uint64_t>("limit");
   reader.end();
   return row;
 }

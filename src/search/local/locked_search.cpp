@@ -207,9 +207,10 @@ LockedResult search_locked(const Parameters& p, const Wanted& wanted, const Lock
     throw ImpossibleParameters(fmt::format("there is no {}: {}", name(p), *why));
   }
   if (p.v > largest_locked_v || p.v == p.k) {
-    throw BadInput(
-        fmt::format("the search with locked cells supports v from k+1 = {} to {}, not {}", p.k + 1,
-                    largest_locked_v, p.v));
+    throw BadInput(fmt::format(
+        "first, last, expansion_set and contains support v from k+1 = {} to {}, not {}; "
+        "leave them out, or give such a v",
+        p.k + 1, largest_locked_v, p.v));
   }
   if (p.strength != 2) {
     throw BadInput(

@@ -76,7 +76,7 @@ std::uint64_t pairs_below(std::uint64_t a, std::uint64_t b, std::uint64_t most) 
   return triangle(top + 1) - beyond;  // top ≤ a + b: the corners do not meet
 }
 
-// Of sum() with a.size() = a, b.size() = b.
+// The size of sum() with a.size() = a, b.size() = b.
 CnfSize sum_size(std::uint64_t a, std::uint64_t b, std::uint64_t limit, Directions directions) {
   CnfSize size{.variables = std::min(limit, a + b), .clauses = 0, .literals = 0};
   const std::uint64_t total = size.variables;

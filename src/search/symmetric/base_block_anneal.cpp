@@ -83,7 +83,7 @@ class Descent {
  private:
   std::uint8_t& member(std::uint32_t i, Element x) { return member_[std::size_t{i} * v_ + x]; }
 
-  // Of the step from block i to the next one; after the last block, that is π(B₀).
+  // The defect of the step from block i to the next one; after the last block, that is π(B₀).
   std::uint64_t defect(std::uint32_t i) {
     std::uint64_t leaving = 0;
     for (const Element x : blocks_[i]) {
@@ -94,7 +94,7 @@ class Descent {
     return leaving > m_ ? leaving - m_ : m_ - leaving;
   }
 
-  // Of the steps to and from block i.
+  // The defects of the steps to and from block i.
   std::uint64_t around(std::uint32_t i) {
     const std::uint32_t previous = i == 0 ? c_ - 1 : i - 1;
     return defect(i) + (previous == i ? 0 : defect(previous));

@@ -85,7 +85,7 @@ TEST(FiguresTest, WhatDoesNotFitIsRefused) {
   EXPECT_EQ(message_of([] {
               (void)draw_factors(FactorFigure{.order = 4, .factors = {{{0, 4}}}});
             }),
-            "{0,4} is no edge of K_4");
+            "{0,4} is not an edge of K_4");
   EXPECT_EQ(message_of([] { (void)draw_factors(FactorFigure{.order = 4, .names = {"a"}}); }),
             "1 name for 4 points; give one each");
   EXPECT_EQ(message_of([] { (void)draw_circle(CircleFigure{.v = 1001}); }),

@@ -110,13 +110,13 @@ TEST(WorkbookSheet, OneLineForEachFault) {
   EXPECT_THAT(cell("<c r='B1'><v>1</v></c><c r='A1'/>"), HasSubstr("a cell called 'A1'"));
   EXPECT_THAT(cell("<c r='XFD1'/><c/>"), HasSubstr("beyond the last"));
   EXPECT_THAT(cell("<c t='str'><v>" + std::string(140'000, 'x') + "</v></c>"),
-              HasSubstr("more than 32,767 characters; this is no list"));
+              HasSubstr("more than 32,767 characters; this is not a list"));
   EXPECT_THAT(cell("<c>"), HasSubstr("not XML: mismatched tag"));
   EXPECT_THAT(cell("<c t='str'><v>&nbsp;</v></c>"), HasSubstr("not XML"));
   EXPECT_THAT(fault(one_sheet("<row r='2'/><row r='2'/>")), HasSubstr("misnumbered"));
   EXPECT_THAT(fault(one_sheet("<row r='1048577'/>")), HasSubstr("misnumbered"));
   EXPECT_THAT(fault(one_sheet("", "<si><t>" + std::string(140'000, 'x') + "</t></si>")),
-              HasSubstr(": a cell of more than 32,767 characters; this is no list"));
+              HasSubstr(": a cell of more than 32,767 characters; this is not a list"));
 }
 
 TEST(WorkbookSheet, OtherFilesAreNamed) {
@@ -193,7 +193,7 @@ TEST(ZipArchive, UnpacksNoMoreThanItMay) {
         while (!less->next().empty()) {
         }
       },
-      BadInput, "f.zip: a/B.txt has more than 0 MiB when it is unpacked; this is no list");
+      BadInput, "f.zip: a/B.txt has more than 0 MiB when it is unpacked; this is not a list");
 }
 
 // Whatever is damaged, there is an answer or one line.

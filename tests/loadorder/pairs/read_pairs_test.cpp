@@ -125,8 +125,8 @@ TEST(ReadPairs, AreCsvIfTheyAreWrittenSo) {
   EXPECT_THAT(read("\"0 1\",2\n")->names(), ElementsAre("0 1", "2"));
   EXPECT_EQ(
       fault("0 1\t2\n"),
-      "f:1:1: '0 1' is more than one number; give two items a line, or put it in quotes if it is a "
-      "name");
+      "f:1:1: '0 1' is more than one number; give two items per line, or put it in quotes if it is "
+      "a name");
   EXPECT_THAT(fault("a,b\n0 1,0.5\n"), HasSubstr("f:2:1: '0 1' is more than one number"));
   EXPECT_THAT(fault("a,b\n\"c,d\n"), HasSubstr("f:2:1: a quote is opened and not closed"));
   EXPECT_THAT(fault("a,b\n\"c\"d,e\n"), HasSubstr("f:2:4: text after a closing quote"));

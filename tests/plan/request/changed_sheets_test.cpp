@@ -144,7 +144,7 @@ TEST_F(ChangedSheets, NothingIsPlannedAnewWithoutAWord) {
               Contains(HasSubstr(":Run sheet!A1: the sheet has no column of results")));
   // Results among the notes.
   EXPECT_THAT(opened(filled_in(bytes, {"pass"}, "Run sheet", "notes")).notes,
-              Contains(HasSubstr("'pass' is among the notes, which are no results")));
+              Contains(HasSubstr("'pass' is among the notes, which are not results")));
   EXPECT_THAT(opened(bytes).notes, testing::SizeIs(1));
 }
 

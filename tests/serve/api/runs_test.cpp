@@ -219,7 +219,7 @@ TEST(RunsFolder, OnlyRunsAreCounted) {
   const Reply locked =
       act(own, "/api/run/result?id=" + id, R"({"test":"1","result":"pass","sheet_revision":1})");
   EXPECT_EQ(locked.status, 503);
-  EXPECT_THAT(message_of(locked), HasSubstr(id + ".json.lock is no lock of changeover"));
+  EXPECT_THAT(message_of(locked), HasSubstr(id + ".json.lock is not a lock of changeover"));
   EXPECT_EQ(slurp(own.folder.file("runs/" + id + ".json.lock")), "mine");
   for (int i = 0; i < 200; ++i) {
     std::filesystem::remove(own.folder.file("runs/" + name(i) + ".json"));

@@ -224,7 +224,7 @@ TEST(CatalogAdd, TakesDesignsAndNothingElse) {
       added["label"]);
   const Reply none = act(own, "/api/catalog/add?kind=circular", "0 1 2 3\n4 5 2 3\n4 5 0 2\n");
   EXPECT_EQ(none.status, 422);
-  EXPECT_THAT(message_of(none), HasSubstr("it is no change covering design: "));
+  EXPECT_THAT(message_of(none), HasSubstr("it is not a change covering design: "));
   const std::string label = added["label"];
   EXPECT_EQ(json_of(get(own.port(), "/api/design?label=" + label))["label"], label);
   // What was answered before is not given again.

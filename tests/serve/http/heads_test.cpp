@@ -197,7 +197,7 @@ TEST_F(Heads, MalformedOnesGetOneAnswer) {
     const Reply reply = reply_to("POST /api/verify HTTP/1.1",
                                  host() + "Content-Length: " + std::string(length) + "\r\n");
     EXPECT_EQ(reply.status, 400) << length;
-    EXPECT_EQ(message_of(reply), "the header Content-Length is no number of bytes") << length;
+    EXPECT_EQ(message_of(reply), "the header Content-Length is not a number of bytes") << length;
     EXPECT_EQ(reply.header("x-content-type-options"), "nosniff");
   }
   const Reply endless =
@@ -268,7 +268,7 @@ TEST_F(Heads, RefusalsAtTheSameTimeReachWhomTheyAreFor) {
   };
   const std::array<Kind, 3> kinds{
       Kind{request + "X: " + std::string(100'000, 'y') + "\r\n\r\n", 431, "too big"},
-      Kind{request + "Content-Length: abc\r\n\r\n", 400, "Content-Length is no number of bytes"},
+      Kind{request + "Content-Length: abc\r\n\r\n", 400, "Content-Length is not a number of bytes"},
       Kind{request + "Cookie: " + times(3000, "c=1;") + "\r\n\r\n", 431,
            "too many lines or cookies"}};
   for (int round = 0; round < 5; ++round) {

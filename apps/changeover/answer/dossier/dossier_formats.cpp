@@ -50,9 +50,9 @@ std::string definition_of(const Dossier& dossier) {
   const std::string step =
       dossier.b == 1
           ? ""
-          : fmt::format(", and each block has exactly {} that the block before it lacks{}",
+          : fmt::format(", and each block has exactly {} that are not in the block before it{}",
                         count_of(p.change, "element"),
-                        p.kind == Kind::circular ? "; the last block is before the first" : "");
+                        p.kind == Kind::circular ? "; the first block follows the last" : "");
   return fmt::format(
       "Each block has {} of the {} elements, every {} elements are together in some block{}.", p.k,
       p.v, every, step);

@@ -163,7 +163,7 @@ std::string theorems_json() {
   json.objects(theorems_of(theorems_text()), [&](const Theorem& theorem) {
     json.key("number").value(theorem.number).key("title").value(theorem.title);
     json.key("statement").value(theorem.statement).key("proof").value(theorem.proof);
-    // Of a construction that says it is from this theorem.
+    // The parameters of an example of a construction that cites this theorem.
     std::optional<Parameters> example;
     for (const Construction* each : Registry::standard().constructions()) {
       const std::string cited = each->citation().to_string();

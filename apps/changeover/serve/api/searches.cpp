@@ -57,10 +57,10 @@ void check_way(const SearchOrder& order) {
   }
   if (order.way == SearchWay::locked) {
     if (!wanted.any()) {
-      throw Refusal{422, "way: a locked search needs first, last or expansion_set"};
+      throw Refusal{422, "way: \"locked\" needs first, last or expansion_set; give one of them"};
     }
     if (p.strength != 2) {
-      throw Refusal{422, "way: a locked search has strength 2; use \"exact\" for other strengths"};
+      throw Refusal{422, "way: \"locked\" needs strength 2; use \"exact\" for other strengths"};
     }
   }
   if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {

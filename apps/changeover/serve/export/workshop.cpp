@@ -113,7 +113,7 @@ void Workshop::refuse_what_is_no_site() {
   }
   if (there_ && !fs::is_directory(status)) {
     throw MissingResource(
-        fmt::format("--export {}: it is no folder; name a new one", printable(said_)));
+        fmt::format("--export {}: it is not a folder; name a new one", printable(said_)));
   }
   if (!there_) {
     return;

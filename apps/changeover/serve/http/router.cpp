@@ -32,7 +32,7 @@ std::size_t declared_length(const Request& request) {
   const std::string_view text = request.header("content-length");
   const auto length = parsed<std::size_t>(text);
   if (!text.empty() && !length) {
-    throw Refusal{400, "the header Content-Length is no number of bytes"};
+    throw Refusal{400, "the header Content-Length is not a number of bytes"};
   }
   return length.value_or(0);
 }

@@ -261,7 +261,7 @@ void Server::State::refuse_instead(int status) {
   } else if (status == 413) {
     refuse_at_once(*exchange, {413, "the header Content-Length is too large"});
   } else {
-    refuse_at_once(*exchange, {400, no_length ? "the header Content-Length is no number of bytes"
+    refuse_at_once(*exchange, {400, no_length ? "the header Content-Length is not a number of bytes"
                                               : "the head of the request is malformed"});
   }
 }

@@ -184,7 +184,7 @@ Kept keep_in_catalog(Catalog& catalog, const Design& design) {
   const Newcomer newcomer = newcomer_of(
       design, {.credit = {.who = "", .date = cli::today(), .program = "", .command = ""}});
   if (!newcomer.entry) {
-    throw Refusal{422, "it is no change covering design: " + newcomer.refused};
+    throw Refusal{422, "it is not a change covering design: " + newcomer.refused};
   }
   const CatalogEntry& entry = *newcomer.entry;
   try {

@@ -96,7 +96,7 @@ std::optional<Response> Pages::find(const std::string& path) const {
   }
   constexpr std::size_t largest_page = std::size_t{64} << 20;
   const auto input = open_input(file->string());
-  return page_response(read_to_end(*input, largest_page, "it is no page"), type);
+  return page_response(read_to_end(*input, largest_page, "it is not a page"), type);
 }
 
 std::vector<std::string> Pages::paths() const {

@@ -156,7 +156,7 @@ CheckedJobRequest checked_without_room(OpenedRequest& opened) {
   return checked_job(opened, Door::document);
 }
 
-// Of a job that does not say how much fits, all but that is read.
+// If a job does not say how many parts fit, everything else is read.
 CheckedJobRequest checked_for_reading(OpenedRequest& opened, bool has_limits) {
   const JobRequest& request = opened.request;
   const bool needs_room = !request.at_once && !request.model.is_given();

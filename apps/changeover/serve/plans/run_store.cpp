@@ -70,7 +70,7 @@ struct stat status_of(const std::string& path) {
 struct stat status_of_run(const std::string& path) {
   const struct stat status = status_of(path);
   if (!S_ISREG(status.st_mode)) {
-    fail_to_read(path, "it is no file");
+    fail_to_read(path, "it is not a file");
   }
   if (static_cast<std::uintmax_t>(status.st_size) > most_run_bytes) {
     fail_to_read(path,
@@ -85,7 +85,7 @@ FileLock lock_of(const std::string& path) {
     return FileLock(path);
   } catch (const BadInput&) {
     throw MissingResource(
-        fmt::format("{}.lock is no lock of changeover, but has its name; move it away", path));
+        fmt::format("{}.lock is not a lock of changeover, but has its name; move it away", path));
   }
 }
 

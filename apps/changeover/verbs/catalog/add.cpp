@@ -54,7 +54,7 @@ bool closes_up(const Design& design) {
          difference(design.blocks().front(), design.blocks().back()).size() == p.change;
 }
 
-// Of a design that is no minimum, what is true of its cell.
+// What is known of the cell of a design that is not a minimum.
 std::string_view status_of(const Arrival& arrival) {
   const std::uint64_t b = arrival.entry.b;
   const bool is_beaten =
@@ -220,7 +220,7 @@ void add_catalog_add(Program& program) {
                  "changeover search 9 4 --change 2 --circular --format text | changeover catalog "
                  "add -"});
   verb.outcomes({{exit_code::done, "added, or there already"},
-                 {exit_code::refuted, "one of them is no such design; nothing was added"}});
+                 {exit_code::refuted, "one of them is not a valid design; nothing was added"}});
 }
 
 }  // namespace changeover::cli

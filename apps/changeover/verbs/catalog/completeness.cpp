@@ -20,9 +20,10 @@ std::string text_of(const Completeness& found) {
   for (const auto& [key, tally] : found) {
     const auto& [strength, change, kind, k] = key;
     text += fmt::format(
-        "t = {}, m = {}, {:<8}  k = {:<3} v = {:>3}..{:<4} {:>5} cells, {:>5} proved minimum "
+        "t = {}, m = {}, {:<8}  k = {:<3} v = {:>3}..{:<4} {:>5} {:<6} {:>5} proved minimum "
         "({:>3.0f} %), mean of b / bound {:.4f}\n",
-        strength, change, to_string(kind), k, tally.v_from, tally.v_to, tally.cells, tally.minimum,
+        strength, change, to_string(kind), k, tally.v_from, tally.v_to, tally.cells,
+        tally.cells == 1 ? "cell," : "cells,", tally.minimum,
         100.0 * static_cast<double>(tally.minimum) / static_cast<double>(tally.cells),
         tally.mean_ratio());
   }

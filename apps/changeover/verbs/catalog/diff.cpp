@@ -46,11 +46,8 @@ Answer run(const DiffRequest& request) {
 }  // namespace
 
 void add_catalog_diff(Program& program) {
-  auto [verb, request] =
-      program.add<DiffRequest>("catalog-diff",
-                               "list the cells in which the catalog and a file of catalog "
-                               "export, or two files, differ",
-                               run);
+  auto [verb, request] = program.add<DiffRequest>(
+      "catalog-diff", "compare the catalog with an export, or two exports, cell by cell", run);
   verb.positional("OLD", request.before, "lines of JSON; - is standard input");
   verb.positional("NEW", request.after, "the same; the catalog if it is not named", false);
   request.catalog.add_to(verb);

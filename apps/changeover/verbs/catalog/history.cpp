@@ -20,7 +20,7 @@ Answer run(const HistoryRequest& request) {
   const Catalog& catalog = request.catalog.open();
   auto p = parse_cell_label(request.cell);
   if (!p) {
-    // Of the cell of a design, too.
+    // A label stands for the cell of its design.
     const auto entry = catalog.find(request.cell);
     if (!entry) {
       throw UsageError{fmt::format(

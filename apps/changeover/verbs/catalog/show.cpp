@@ -90,7 +90,7 @@ Answer run(const ShowRequest& request) {
     return text_answer(json.take() + "\n", request.output);
   }
   if (format != "summary") {
-    // Of a cell the best that is vouched for.
+    // For a cell, the best design that is not retracted.
     const CatalogEntry* best = nullptr;
     for (const CatalogEntry& entry : entries) {
       if (entries.size() == 1 ||

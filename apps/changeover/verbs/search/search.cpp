@@ -269,23 +269,25 @@ void add_search(Program& program) {
   verb.option("--proof", request.proof_directory, "DIR",
               "keep formulas and proofs of --exact in DIR");
   verb.flag("--base-blocks", request.base_blocks,
-            "circular designs with an automorphism, from base blocks");
-  verb.option("--cycle", request.cycle_length, "N", "of the automorphism (default: all that fit)");
+            "search for circular designs made from base blocks");
+  verb.option("--cycle", request.cycle_length, "N",
+              "length of the automorphism's cycles (default: all that fit)");
   verb.option("--fixed-points", request.fixed_points, "F",
-              "of the automorphism (default: 0, 1 and 2)");
+              "number of fixed points of the automorphism (default: 0, 1 and 2)");
   verb.flag("--tight", request.tight, "with --base-blocks: tight designs only");
   verb.option(
       "--order", request.order_file, "FILE",
       "put the blocks of FILE in order: M changes at every step, or without -m the fewest in all");
-  verb.option("--extend", request.extend_file, "FILE", "keep the blocks of FILE, add what lacks");
+  verb.option("--extend", request.extend_file, "FILE",
+              "keep the blocks of FILE, add missing blocks");
   verb.option("--repair", request.repair_file, "FILE",
               "make a design of the blocks of FILE, changing little");
   verb.option("--first", request.first, "A,B,...", "these elements are in the first block");
   verb.option("--last", request.last, "A,B,...", "these elements are in the last block");
   verb.flag("--expansion-set", request.expansion_set,
-            "unchanged subsets hold all other elements, each once");
+            "require unchanged subsets that together hold every other element once");
   verb.option("--contains", request.contains_file, "FILE",
-              "the blocks of FILE are in it, one after another");
+              "the blocks of FILE are consecutive blocks of the design");
   verb.flag("--anew", request.anew, "begin with no known design");
   verb.option("--checkpoint", request.checkpoint, "FILE",
               "keep the state of a local search in FILE, and go on from it if it is there");
@@ -303,21 +305,22 @@ void add_search(Program& program) {
   verb.never_with({"--first"}, {"--base-blocks"}, "a development has no first block");
   verb.never_with({"--last"}, {"--base-blocks"}, "a development has no last block");
   verb.not_built_with({"--contains"}, {"--base-blocks"},
-                      "an automorphism makes all blocks of a few base blocks");
+                      "an automorphism makes all blocks from a few base blocks");
   verb.not_built_with({"--expansion-set"}, {"--base-blocks"},
-                      "an automorphism makes all blocks of a few base blocks");
+                      "an automorphism makes all blocks from a few base blocks");
   verb.only_with({"--anew"}, {"--first", "--last", "--expansion-set", "--contains", "--exact"});
   verb.never_with({"--blocks"}, {"--order", "--repair"});
   verb.never_with({"--strength"}, {"--order"});
   verb.never_with({"--seed"}, {"--exact"});
-  verb.examples({"changeover search 20 5                           local search for 60 seconds",
-                 "changeover search 9 5 --linear --exact           the minimum, with proof",
-                 "changeover search 8 5 --blocks 9 --exact --proof proofs",
-                 "changeover search 6 3 -m 1 --exact --first 0,1 --last 0,1",
-                 "changeover search 28 6 --base-blocks --tight     from base blocks",
-                 "changeover search 20 5 -m 1 --first 0,1,2,3 --expansion-set --blocks 46",
-                 "changeover search --order blocks.txt -m 2        an order with 2 changes a step",
-                 "mpirun -n 4 changeover search 30 6 --time 10m    several processes share it"});
+  verb.examples(
+      {"changeover search 20 5                           local search for 60 seconds",
+       "changeover search 9 5 --linear --exact           the minimum, with proof",
+       "changeover search 8 5 --blocks 9 --exact --proof proofs",
+       "changeover search 6 3 -m 1 --exact --first 0,1 --last 0,1",
+       "changeover search 28 6 --base-blocks --tight     from base blocks",
+       "changeover search 20 5 -m 1 --first 0,1,2,3 --expansion-set --blocks 46",
+       "changeover search --order blocks.txt -m 2        an order with 2 changes per step",
+       "mpirun -n 4 changeover search 30 6 --time 10m    several processes share it"});
   verb.outcomes(
       {{exit_code::found, "found"},
        {exit_code::proved_none, "proved that there is none"},

@@ -455,7 +455,7 @@ class PartialExpander final : public Described<Rule, description> {
   }
 };
 
-// Of the search for a cover; a plan makes thousands.
+// Limit of the search for a cover, in nodes; a plan makes thousands of searches.
 constexpr std::uint64_t cover_nodes = 200;
 constexpr std::uint64_t most_elements_covered = 2000;
 

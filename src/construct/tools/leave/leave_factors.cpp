@@ -121,7 +121,7 @@ LeaveFactors::Pair LeaveFactors::odd_second(const Cycles& cycles, std::uint64_t 
   return edge(cycles, number / in_each, 2 * (number % in_each) + 1);
 }
 
-// Of each cycle below, its edges, those of its translate, and the pair of both where one lacks.
+// For each cycle below: its edges, those of its translate, and the pair of both where one lacks.
 LeaveFactors::Pair LeaveFactors::prism(const Cycles& cycles, bool second, std::uint64_t j) const {
   const std::uint64_t half = w_ / 2;
   const std::uint64_t start = cycles.starts[static_cast<std::size_t>(j / cycles.length)];

@@ -203,7 +203,7 @@ void consider_all_pairs(LoadOrderFacts& facts, const PairGraph& graph, LockstepL
   }
 }
 
-// Of some pairs only.
+// Orders for disjoint workers of some pairs only.
 WorkerMaker listed_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   const WantedPairs list = as_list(facts.wanted);
   LockstepLists found = lockstep_of_list(facts, *list.graph(), options);

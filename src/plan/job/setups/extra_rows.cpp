@@ -121,7 +121,7 @@ void ExtraRows::say(DoneList& list) const {
   }
   const bool is_one = names_.size() == 1;
   list.notes.push_back(fmt::format("{}: skipped, as {}: {} {}", first_,
-                                   is_one ? "it is no test" : "they are no tests",
+                                   is_one ? "it is not a test" : "they are not tests",
                                    is_one ? "row" : "rows", rows));
 }
 

@@ -55,7 +55,8 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
       return fmt::format("slot {} has {} here, but {} {} in every set-up; {}", shown(slot.name),
                          count_of(there, "part"), few ? "needs" : "holds at most",
                          few ? slot.least : slot.most,
-                         few ? "add what it lacks" : "remove what is too much");
+                         few ? "add " + count_of(slot.least - there, "part") + " of it"
+                             : "remove " + count_of(there - slot.most, "part") + " of it");
     }
   }
   for (const Element x : setup) {

@@ -42,8 +42,9 @@ std::optional<std::uint64_t> StepNumbers::take(const Row& row, const SetupColumn
   offsets_.push_back(cell.offset);
   const auto number = step_said(text);
   if (number && !(*number >= 0 && *number <= static_cast<double>(most_steps))) {
-    reader.fail(cell, fmt::format("{} is no number of a step; write a whole number, at most {}",
-                                  shown(text), most_steps));
+    reader.fail(cell,
+                fmt::format("{} is not the number of a step; write a whole number, at most {}",
+                            shown(text), most_steps));
   }
   if (number && std::floor(*number) == *number) {
     return static_cast<std::uint64_t>(*number);
@@ -82,8 +83,8 @@ void StepNumbers::put_in_order(DoneList& list, const Row& header, const SetupCol
   }
   if (unread_) {
     list.notes.push_back(fmt::format(
-        "{} is no number of a step{}, and a test without one follows that of the row above it; "
-        "number the tests 1, 2, 3",
+        "{} is not the number of a step{}, and a test without one follows that of the row above "
+        "it; number the tests 1, 2, 3",
         *unread_,
         others_ == 0
             ? ""

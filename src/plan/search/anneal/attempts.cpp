@@ -177,7 +177,7 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
       *std::min_element(results.begin(), results.end(),
                         [](const Result& a, const Result& b) { return a.cost < b.cost; });
   return {search_name,
-          fmt::format("any number of changes a step; started from the {}", cheapest.from),
+          fmt::format("any number of changes per step; started from the {}", cheapest.from),
           cheapest.setups};
 }
 
@@ -208,7 +208,7 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
                random, *control_);
     steps_ += results[i].steps;
   });
-  Start start{search_name, "any number of changes a step, within the budget", best.setups};
+  Start start{search_name, "any number of changes per step, within the budget", best.setups};
   std::size_t least = static_cast<std::size_t>(job_->needed.size() - best.pairs_tested);
   for (AnnealedPlan& result : results) {
     if (result.setups && result.uncovered < least) {

@@ -67,7 +67,7 @@ class DearWalk {
     std::uint64_t places = 0;
     bool whole = false;  // of all parts, beside others
   };
-  // Of two chosen parts, or of one and the others of a group.
+  // A pair of two chosen parts, or of one and the others of a group.
   struct Pair {
     Parts parts = 0;
     std::size_t others = 0;  // the group; groups_.size() if there are two parts

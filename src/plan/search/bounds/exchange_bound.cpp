@@ -194,7 +194,7 @@ ExchangeProof proof_of(const Job& job, const JobNumbers& n, const ExchangePrices
   return ExchangeProof(job, std::move(out), std::move(entries));
 }
 
-// Of all lists, by how many parts are together at most.
+// A lower bound on the cost of all lists, by how many parts are together at most.
 CostBound at_these_prices(const Job& job, const ExchangeProof& proof) {
   Job priced = proof.priced();
   const std::uint64_t fewest = job.slots.empty() ? job.mounted.size() + 2 : job.room();

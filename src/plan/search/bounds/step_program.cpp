@@ -435,8 +435,8 @@ bool StepProgram::add_entries() {
   return any;
 }
 
-// The set from which this part is reached, by less than once: the least cut, by flows that are made
-// larger as long as it goes.
+// Adds the constraint that part `to` is reached at least once from a set, if the program's values
+// break it: the set is a least cut, found by augmenting a flow until it is largest.
 bool StepProgram::add_entry(std::size_t to) {
   const std::size_t source = v_;
   const std::size_t nodes = v_ + 1;

@@ -58,8 +58,8 @@ class Introductions {
   std::vector<Row> rows_;  // cheapest first
 };
 
-// The most pairs if the introductions of each step are put in an order: each part then meets at
-// most those that were there before it.
+// An upper bound on the number of pairs: if the introductions of each step are put in an order,
+// each part meets at most the parts that are mounted before it.
 std::uint64_t most_one_by_one(std::uint64_t room, std::uint64_t at_start,
                               std::uint64_t introductions) {
   std::uint64_t pairs = choose_two(at_start);

@@ -173,7 +173,7 @@ struct LeastChanges {
   Amount with_tests;  ///< of tests and changes together
 };
 
-// Of a parameter with so many values, but for few: (6).
+// (6): the stays of a parameter with two or three values, except for a few parameters.
 constexpr std::uint64_t stays_of_two = 5;
 constexpr std::uint64_t stays_of_three = 8;
 
@@ -204,8 +204,9 @@ Wide most_saved(const std::vector<bool>& clique, const std::vector<std::uint64_t
   return std::max(by_one, exceptions == 2 ? once[0] + once[1] : once[0]);
 }
 
-// (4) and (5): what changes cost at least beyond `there`, by parameter; two parameters change
-// `wanted` times together, if that is not 0. `threes`: parameters with three values that all meet.
+// (4) and (5): the least cost of the changes beyond `there`, the changes of each parameter that are
+// counted already. Two parameters change `wanted` times together, if that is not 0. `threes`:
+// parameters with three values that all meet.
 std::uint64_t least_more(const std::vector<std::vector<std::uint64_t>>& wanted,
                          const std::vector<std::uint64_t>& there,
                          const std::vector<std::uint64_t>& prices,

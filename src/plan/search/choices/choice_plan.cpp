@@ -265,7 +265,7 @@ class ChoicePlanner {
     }
     if (cheapest != nullptr) {
       replace(plan, {search_name,
-                     fmt::format("any number of changes a step; started from the {}", from.name),
+                     fmt::format("any number of changes per step; started from the {}", from.name),
                      *cheapest->setups});
     }
   }
@@ -294,7 +294,7 @@ class ChoicePlanner {
     std::vector<Start> starts;
     for (AnnealedChoices& each : found) {
       if (each.setups) {
-        starts.push_back({search_name, "any number of changes a step, within the budget",
+        starts.push_back({search_name, "any number of changes per step, within the budget",
                           *std::move(each.setups)});
       }
     }

@@ -55,7 +55,7 @@ void search(const Job& job, RunPlan& plan, const PlanOptions& options, RunContro
     add_complete(
         job, plan, options,
         {search_name,
-         fmt::format("any number of changes a step; started from the {}", all.front().name),
+         fmt::format("any number of changes per step; started from the {}", all.front().name),
          found.lists.front()});
     ++search.round;
     if (!options.until_stopped) {
@@ -82,7 +82,7 @@ RunPlan plan_by_lists(const Job& job, const PlanOptions& options, RunControl& co
        .within =
            [&](RunPlan& plan, Amount budget, const Candidate& best) {
              return std::vector<Start>{
-                 {search_name, "any number of changes a step, within the budget",
+                 {search_name, "any number of changes per step, within the budget",
                   heaviest_within(job, plan, budget, best.setups, options, control)}};
            }});
 }

@@ -36,16 +36,16 @@ TEST(ExtraRows, SumsDaysAndHeadsAreSkippedWithOneNote) {
   const DoneList list = read(head + first + "Tuesday\n" + head + "2,C,A,C,1,fail,\n" +
                              "3,D,A,D,1,,\n,,,,,,\nTotal,,,,3,,\n");
   EXPECT_THAT(list.setups(), ElementsAre(Block{0, 1}, Block{0, 2}, Block{0, 3}));
-  EXPECT_THAT(list.notes, ElementsAre("d.csv:3:1: skipped, as they are no tests: rows 3 "
+  EXPECT_THAT(list.notes, ElementsAre("d.csv:3:1: skipped, as they are not tests: rows 3 "
                                       "('Tuesday'), 4 (the heads again), 8 ('Total')"));
   EXPECT_THAT(list.gone, IsEmpty());
   // Where the first column is one of parts, and where an emptied step is left.
   const std::string plain = "slot_1,slot_2,result\nA,B,pass\n";
   EXPECT_THAT(read(plain + "Tuesday,,\nC,D,pass\n").notes,
-              ElementsAre("d.csv:3:1: skipped, as it is no test: row 3 ('Tuesday')"));
+              ElementsAre("d.csv:3:1: skipped, as it is not a test: row 3 ('Tuesday')"));
   EXPECT_EQ(read(plain + "Tuesday,,\nC,D,pass\n").rows.size(), 2U);
   EXPECT_THAT(read(head + first + "2,,,,,,\n").notes,
-              ElementsAre("d.csv:3:1: skipped, as it is no test: row 3"));
+              ElementsAre("d.csv:3:1: skipped, as it is not a test: row 3"));
   EXPECT_THAT(read(head + first + "2,,,,,not run,\n").rows.size(), 1U);
 }
 

@@ -110,17 +110,17 @@ TEST(StepNumbers, ThatAreNoneAreRefusedOrNoted) {
   for (const char* bad :
        {"-1", "1e300", "1000000000000001", "18446744073709551616", "-0.5", "1e400", "-1e400"}) {
     EXPECT_THAT(fault(with("1", bad)),
-                HasSubstr("d.csv:3:1: '" + std::string(bad) + "' is no number of a step"));
+                HasSubstr("d.csv:3:1: '" + std::string(bad) + "' is not the number of a step"));
   }
   EXPECT_EQ(read(with("1", "1000000000000000"), 1).rows.back().step, most_steps);
   EXPECT_EQ(read(with("1", "2.0"), 1).rows.back().step, 2U);
   for (const char* word : {"No 2", "step 2", "2.5", "+2", "inf", "2e"}) {
     EXPECT_THAT(read(with("1", word), 1).notes,
                 ElementsAre(HasSubstr("d.csv:3:1: '" + std::string(word) +
-                                      "' is no number of a step, and a test")));
+                                      "' is not the number of a step, and a test")));
   }
   EXPECT_THAT(read("step,slot_1,result\nNo 1,A,pass\nNo 2,B,pass\nNo 3,C,pass\n", 1).notes,
-              ElementsAre(HasSubstr("'No 1' is no number of a step, nor are 2 others, and")));
+              ElementsAre(HasSubstr("'No 1' is not the number of a step, nor are 2 others, and")));
   EXPECT_THAT(read(with("1", ""), 1).notes, IsEmpty());
 }
 

@@ -366,7 +366,7 @@ TEST(ModelBenches, ChangedPlansAreRejected) {
             return fault.find(words) != std::string::npos;
           });
         };
-        EXPECT_EQ(says("is no test of the model"), !is_test);
+        EXPECT_EQ(says("is not a test of the model"), !is_test);
         EXPECT_EQ(says("which the bench cannot have"), !is_there);
       }
     }

@@ -194,11 +194,11 @@ class RelayedCyclic final : public Described<Entry, description> {
     require_input(recipe, without_carriers(p, t), {{"t", given->second}});
     const auto relay = relay_of(recipe.inputs.front(), t, registry);
     if (!relay) {
-      throw BadInput(
-          fmt::format("relayed-cyclic: the {} by {} is not a cyclic design with {} elements or "
-                      "more; use another input",
-                      changeover::name(recipe.inputs.front().parameters),
-                      recipe.inputs.front().construction, 2 * t - 1));
+      throw BadInput(fmt::format(
+          "relayed-cyclic: the input, the {} made by {}, needs {} elements or more and "
+          "one of the constructions {}; use another input",
+          changeover::name(recipe.inputs.front().parameters), recipe.inputs.front().construction,
+          2 * t - 1, fmt::join(cyclic_families, ", ")));
     }
     return *relay;
   }
