@@ -167,7 +167,7 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
 
 TEST(JsonTest, WhatIsNoJsonIsSaidOnOneLineWithItsPlace) {
   for (const std::string text :
-       {"", "{", "{\"blocks\":[[0,1],\n[2,]]}", "{\"a\":\"\xff\"}", "[[0 1]]", "{\"a\":\"\n\"}",
+       {"{", "{\"blocks\":[[0,1],\n[2,]]}", "{\"a\":\"\xff\"}", "[[0 1]]", "{\"a\":\"\n\"}",
         "[[01]]", "{\"blocks\":[[0,1]", "nul", "\"\\u12\"", "{,}"}) {
     const std::string message = complaint(text);
     EXPECT_TRUE(message.starts_with("f:")) << text << message;
@@ -175,6 +175,7 @@ TEST(JsonTest, WhatIsNoJsonIsSaidOnOneLineWithItsPlace) {
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
   EXPECT_TRUE(complaint("{\"blocks\":[[0,1],\n[2,]]}").starts_with("f:2:4: "));
+  EXPECT_EQ(complaint(""), "f:1:1: the input is empty; give a JSON object");
 }
 
 TEST(JsonTest, DeepNestingIsRefusedWithoutStack) {
