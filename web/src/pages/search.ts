@@ -171,7 +171,7 @@ async function render(view: View): Promise<void> {
       'label',
       { class: 'check' },
       expansion,
-      'unchanged subsets hold all other elements, each once',
+      'unchanged subsets together hold every other element, each once',
     ),
   );
   const start = h(

@@ -123,7 +123,7 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
         'div',
         { class: 'row top' },
         field('Memory', memory, 'bytes in memory at once, in place of Room'),
-        field('Memory of an accelerator', fastMemory, 'so many bytes of these on it'),
+        field('Memory of an accelerator', fastMemory, 'bytes that fit on it at once'),
       ),
     ),
     group(
