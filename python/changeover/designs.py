@@ -51,7 +51,7 @@ class Blocks(_core.Memory):
             first, stop, step = index.indices(count)
             return self.part(first, len(range(first, stop, step)), step)
         if not hasattr(type(index), "__index__"):
-            shown = words_of(repr(index))
+            shown = _core.quoted(words_of(index if isinstance(index, str) else repr(index)))
             raise TypeError(f"blocks are indexed by a whole number or a slice, not by {shown}")
         place = operator.index(index)
         if not -count <= place < count:

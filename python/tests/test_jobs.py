@@ -127,7 +127,7 @@ class Plans(unittest.TestCase):
             ({"pairs": [("a", "b", "c")]}, "pairs has a pair that is not two different parts"),
             ({"mounted": ["z"]}, "^mounted: there is no part 'z'"),
             ({"strength": 4}, "^strength 4: give 2"),
-            ({"strength": 3, "pairs": [("a", "b")]}, "^pairs applies to pairs"),
+            ({"strength": 3, "pairs": [("a", "b")]}, "^pairs needs strength 2"),
             ({"slots": {"CPU": 1}}, "belong together; give both"),
             ({"slots": {"CPU": -1}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": 2**64}, "slot_of": {"a": "CPU"}}, "slots says how many"),
@@ -450,7 +450,7 @@ class Larger(unittest.TestCase):
             design.expand(factorization="square")
 
     def test_what_is_no_design_does_not_grow(self):
-        with self.assertRaisesRegex(changeover.BadInput, "no valid"):
+        with self.assertRaisesRegex(changeover.BadInput, "not a valid"):
             changeover.Design([[0, 1, 2], [1, 2, 3]]).expand()
 
 
