@@ -167,7 +167,7 @@ class StepTable {
                  (job.model == nullptr ? "" : " values");
     for (const ShownSheet& shown : sheets) {
       if (job.model != nullptr) {
-        values_.emplace_back(job, *shown.sheet);
+        values_.emplace_back(*shown.job, *shown.sheet);  // each bench has its own start
       }
     }
   }

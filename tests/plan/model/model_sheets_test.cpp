@@ -4,9 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "changeover/plan/benches.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "core/each.hpp"
 #include "message_of.hpp"
+#include "plan/job/bench_list.hpp"
 #include "random_models.hpp"
 
 namespace changeover::model_sheets_test {
@@ -88,6 +90,82 @@ TEST(ModelSheets, AreReadAsWritten) {
       EXPECT_EQ(setups[i], plan.sheet.steps[i].setup);
     }
   }
+}
+
+// The cells of each row of a test in Markdown, without marks.
+std::vector<std::vector<std::string>> rows_in_markdown(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
+    if (text[at] != '|' || text[at + 2] < '0' || text[at + 2] > '9') {
+      continue;
+    }
+    std::vector<std::string>& cells = rows.emplace_back();
+    for (const char c : text.substr(at, text.find('\n', at) - at)) {
+      if (c == '|') {
+        cells.emplace_back();
+      } else if (c != '*' && c != '\\') {
+        cells.back() += c;
+      }
+    }
+    for (std::string& cell : cells) {
+      cell.erase(0, cell.find_first_not_of(' '));
+      cell.erase(cell.find_last_not_of(' ') + 1);
+    }
+  }
+  return rows;
+}
+
+// What benches have at their start is no step, and each bench has its own: the tests on all sheets
+// are those of the plan, also where nothing was set.
+TEST(ModelSheets, OfBenchesThatHaveAStartSayTheSameInEveryFormat) {
+  std::size_t kept = 0;  // values that stay from the start
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    std::string text =
+        test::random_model_text(4000 + seed, 4, 3, false) + "More: u | v | w, x | y\n";
+    text = text.substr(text.rfind("More")) + text.substr(0, text.rfind("More"));
+    SCOPED_TRACE(text);
+    const Job job = test::job_of_text(text);
+    const std::vector<Block> rows = test::all_tests(*job.model);
+    std::vector<Bench> benches(3);
+    for (std::size_t b = 0; b < benches.size(); ++b) {
+      benches[b].start = rows[(seed * 7 + b * 5) % rows.size()];
+    }
+    RunControl control({.threads = 1});
+    const BenchPlan plan =
+        make_bench_plan(job, {.plan = {.steps = 500, .attempts = 1}, .each = benches}, control);
+    const BenchDocument document{.job = &job, .plan = &plan};
+    const auto in_json = nlohmann::json::parse(written(document, "json", 100));
+    const std::string csv = written(document, "csv", 100);
+    const auto in_markdown = rows_in_markdown(written(document, "markdown", 100));
+    const DoneList read = read_done(*input_from_text(csv, "p.csv"), job);
+    ASSERT_EQ(read.rows.size(), plan.tests);
+    ASSERT_EQ(in_markdown.size(), plan.tests);
+    std::size_t row = 0;
+    for (std::size_t b = 0; b < benches.size(); ++b) {
+      const auto& steps = in_json["sheets"][b]["steps"];
+      std::vector<bool> was_set(job.slots.size(), false);
+      for (std::size_t i = 0; i < plan.sheets[b].steps.size(); ++i, ++row) {
+        const Block& setup = plan.sheets[b].steps[i].setup;
+        Block in_csv = read.rows[row].setup;
+        std::ranges::sort(in_csv);
+        EXPECT_EQ(in_csv, setup) << csv;
+        EXPECT_EQ(find_bench(benches, read.rows[row].bench), b);
+        for (const Element x : setup) {
+          const std::size_t p = job.slot_of[x];
+          const std::string shown = steps[i]["values"][job.model->parameters[p].name];
+          const ModelValue& value = job.model->value(x);
+          EXPECT_EQ(std::ranges::count(value.names, shown), 1) << shown;
+          EXPECT_EQ(read.rows[row].written[p], shown);
+          EXPECT_EQ(std::ranges::count(in_markdown[row], shown) > 0, true) << shown;
+          for (const Element put : plan.sheets[b].steps[i].put_in) {
+            was_set[p] = was_set[p] || job.slot_of[put] == p;
+          }
+          kept += was_set[p] ? 0U : 1U;
+        }
+      }
+    }
+  }
+  EXPECT_GT(kept, 100U);
 }
 
 TEST(ModelSheets, SeedsHaveColumnsInAnyOrderAndOthersBesides) {

@@ -24,7 +24,8 @@ void write_times(JsonWriter& json, const StepTime& time, const BenchCalendar& ca
 }
 
 void write_bench(JsonWriter& json, const BenchDocument& document, std::size_t bench,
-                 const Money& money, const BenchCalendar& calendar, const PlacesInJson& places) {
+                 const Money& money, const BenchCalendar& calendar, const BenchSheets& sheets,
+                 const PlacesInJson& places) {
   const Job& job = *document.job;
   const BenchPlan& plan = *document.plan;
   const Bench& asked = plan.benches[bench];
@@ -40,7 +41,7 @@ void write_bench(JsonWriter& json, const BenchDocument& document, std::size_t be
   const auto write_met = [&](const RunStep& step) {
     json.key("new_" + what_meets(job)).value(new_here(job, step));
   };
-  const ValuesInJson values(job, sheet);
+  const ValuesInJson values(*sheets.shown[bench].job, sheet);  // the bench has its own start
   places.write_steps(
       json, bench, money, [&](std::size_t at) { values.write(json, at); }, write_met,
       [&](std::size_t at) {
@@ -112,7 +113,7 @@ std::string json_of(const BenchDocument& document) {
     write_model(json, job);
   }
   json.list("sheets", std::views::iota(std::size_t{0}, plan.sheets.size()), [&](std::size_t bench) {
-    write_bench(json, document, bench, money, calendar, places);
+    write_bench(json, document, bench, money, calendar, sheets, places);
   });
   json.objects("candidates", plan.candidates, [&](const BenchCandidate& c) {
     json.key("name").value(c.name).key("how").value(c.how);
