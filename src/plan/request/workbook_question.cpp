@@ -24,6 +24,7 @@
 #include "plan/job/setups/step_numbers.hpp"
 #include "plan/request/asked_benches.hpp"
 #include "plan/request/bench_tabs.hpp"
+#include "plan/request/changed_lists.hpp"
 #include "plan/request/run_workbook.hpp"
 #include "plan/request/sheets_agree.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
@@ -352,53 +353,9 @@ void add_taken(std::string& taken, std::string_view what, const std::string& she
   taken += fmt::format("{}{} from {}", taken.empty() ? "" : ", ", what, shown(sheet));
 }
 
-// Whether two cells have the same text or number: spreadsheets format them differently.
-bool is_same(const std::string& one, const std::string& other) {
-  if (one == other) {
-    return true;
-  }
-  try {
-    return parse_amount(one) == parse_amount(other);
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-// Whether a sheet says what this table said when the workbook was written.
-bool is_as_written(const RunWorkbook& book, const std::string& name, const Table& table) {
-  WorkbookSheet sheet = book.rows(name);
-  const auto is_row = [&](const SheetRow& row, auto&& text_of) {
-    std::size_t cell = 0;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-      const bool is_there = cell < row.cells.size() && row.cells[cell].column == c;
-      const std::string text = is_there ? row.cells[cell].text : "";
-      cell += is_there ? 1U : 0U;
-      if (!(c == 0 ? text == text_of(c) : is_same(text, text_of(c)))) {
-        return false;
-      }
-    }
-    return cell == row.cells.size();
-  };
-  const auto head = sheet.next();
-  if (!head || !is_row(*head, [&](std::size_t c) { return table.columns[c].head; })) {
-    return false;
-  }
-  for (std::size_t i = 0; i < table.rows; ++i) {
-    const auto row = sheet.next();
-    if (!row ||
-        !is_row(*row, [&](std::size_t c) { return joined(table.columns[c].cell(i).words); })) {
-      return false;
-    }
-  }
-  return !sheet.next();
-}
-
 // Takes the lists that the user changed on the sheets of a workbook since it was written for a job.
 void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWorkbook& book,
                          const Job& job, std::vector<std::string>& notes) {
-  if (job.model != nullptr) {
-    return;  // its values and rules are in its text
-  }
   TableDocument document;
   add_lists_of_job(document, job, Money(job), question.benches);
   const auto section = [&](const SheetName& sheet) -> const TableSection* {
@@ -408,9 +365,16 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWor
     return found == document.sections.end() ? nullptr : &*found;
   };
   std::string taken;
-  const SheetName* const parts = book.sheet(parts_sheet);
-  const bool parts_changed = parts != nullptr && !parts->hidden &&
-                             !is_as_written(book, parts->name, section(*parts)->table);
+  const bool of_model = job.model != nullptr;  // its values and rules are in its text
+  const SheetName* const parts = book.sheet(of_model ? costs_sheet : parts_sheet);
+  const TableSection* const as_made = parts == nullptr ? nullptr : section(*parts);
+  const bool is_changed =
+      as_made != nullptr && !parts->hidden && !is_as_written(book, parts->name, as_made->table);
+  if (is_changed && of_model && !request.change_costs.is_given()) {
+    add_taken(taken, "costs", parts->name);
+    request.change_costs = changed_costs(*book.open(parts->name), job);
+  }
+  const bool parts_changed = is_changed && !of_model;
   if (parts_changed) {
     add_taken(taken, "parts", parts->name);
     request.parts = book.on_sheet(parts->name);
@@ -419,7 +383,8 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWor
   }
   for (const SheetName& sheet : book.sheets) {
     const KnownSheet* const known = known_as(sheet);
-    if (sheet.hidden || known == nullptr || says(request, *known)) {
+    if (sheet.hidden || known == nullptr || says(request, *known) ||
+        (of_model && known->key == "slots")) {
       continue;
     }
     const TableSection* const written = section(sheet);

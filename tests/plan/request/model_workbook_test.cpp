@@ -1,0 +1,91 @@
+// A workbook of a model on several benches: its lists count as they are edited.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "changeover/plan/job_request.hpp"
+#include "changeover/plan/model.hpp"
+#include "message_of.hpp"
+#include "planned_workbook.hpp"
+#include "run_workbooks.hpp"
+
+namespace changeover::model_workbook_test {
+namespace {
+
+using test::filled_in;
+using test::opened;
+using test::with_row;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class ModelWorkbook : public test::PlannedWorkbook {
+ protected:
+  ModelWorkbook() {
+    request.model.text = "OS: Debian, Fedora, ARM\nBrowser: Firefox, Edge\nLocale: de, en\n";
+    request.test_cost = "2";
+    request.change_costs.text =
+        "OS,3\nOS,Debian,Fedora,5\nOS,ARM,quantity,1\nBrowser,1\nLocale,1\n";
+    request.steps = 1000;
+    request.benches.text = "bench,without,mounted,down\nX,ARM,,\nY,,,\n";
+  }
+};
+
+constexpr const char* question =
+    "parts: the question is that of its hidden sheet changeover-question";
+
+TEST_F(ModelWorkbook, IsAskedAgainAsItWasIfNothingWasEdited) {
+  const std::string bytes = planned();
+  const std::string before = written(*checked, answer, "csv");
+  const OpenedRequest again = opened(bytes);
+  EXPECT_THAT(again.notes, ElementsAre(question));
+  planned(again);
+  EXPECT_EQ(written(*checked, answer, "csv"), before);
+}
+
+TEST_F(ModelWorkbook, ABenchThatIsMarkedDownHasNoTests) {
+  const std::string bytes = planned();
+  ASSERT_FALSE(answer.benches->sheets[1].steps.empty());
+  const OpenedRequest again = opened(filled_in(bytes, {"", "yes"}, "Benches", "down"));
+  EXPECT_THAT(
+      again.notes,
+      ElementsAre(question, "parts: benches from 'Benches', changed since the plan was made"));
+  planned(again);
+  EXPECT_FALSE(asked.benches[0].down);
+  EXPECT_TRUE(asked.benches[1].down);
+  EXPECT_THAT(answer.benches->sheets[1].steps, IsEmpty());
+  EXPECT_THAT(asked.notes, Contains(HasSubstr("cannot meet on any bench that works")));
+}
+
+TEST_F(ModelWorkbook, CostsCountAsTheyAreEditedAndWhatTheirSheetDoesNotSayStays) {
+  const std::string bytes = planned();
+  const OpenedRequest again = opened(with_row(bytes, "Costs", {"OS", "Fedora", "7.5"}));
+  EXPECT_THAT(again.notes,
+              ElementsAre(question, "parts: costs from 'Costs', changed since the plan was made"));
+  planned(again);
+  const Job& job = *asked.job;
+  EXPECT_EQ(to_string(job.change_costs[1]), "7.50");
+  EXPECT_EQ(to_string(job.change_costs[0]), "3");
+  EXPECT_EQ(to_string(job.replace_cost(0, 1)), "5");     // as before
+  EXPECT_EQ(to_string(job.replace_cost(2, 1)), "7.50");  // as any other
+  EXPECT_EQ(to_string(job.replace_cost(1, 0)), "3");
+  EXPECT_EQ(job.quantities[2], 1U);
+  // Again, from the workbook of that.
+  const OpenedRequest third = opened(planned(again));
+  EXPECT_THAT(third.notes, ElementsAre(question));
+  planned(third);
+  EXPECT_EQ(to_string(asked.job->replace_cost(2, 1)), "7.50");
+  EXPECT_EQ(asked.job->quantities[2], 1U);
+}
+
+TEST_F(ModelWorkbook, AWrongCostIsSaidWithItsPlace) {
+  const std::string bytes = planned();
+  EXPECT_THAT(message_of([&] {
+                (void)opened(with_row(bytes, "Costs", {"OS", "Arch", "7.5"}));
+              }),
+              HasSubstr("parts:Costs!B9: OS has no value 'Arch'"));
+}
+
+}  // namespace
+}  // namespace changeover::model_workbook_test
