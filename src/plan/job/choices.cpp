@@ -165,13 +165,21 @@ PairSet apart_in_choices(const Job& job) {
   PairSet seen(job.parts());
   NewRows rows(job, seen);
   Block last;
+  // A value that no test has, as where another one is mounted, is in many pairs: it is asked for
+  // once.
+  std::vector<std::optional<bool>> known(job.parts());
+  const auto is_possible = [&](Element x) {
+    known[x] = known[x] ? known[x] : solver.completed(std::span(&x, 1), {}).has_value();
+    return *known[x];
+  };
   job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    stop_if_asked();
     if (seen.contains(x, y)) {
       return;
     }
     const Element both[] = {x, y};
-    auto setup =
-        job.slot_of[x] == job.slot_of[y] ? std::nullopt : solver.testing(both, rows.next());
+    const bool may = job.slot_of[x] != job.slot_of[y] && is_possible(x) && is_possible(y);
+    auto setup = may ? solver.testing(both, rows.next()) : std::nullopt;
     if (!setup) {
       apart.insert(x, y);
       return;
