@@ -397,16 +397,6 @@ class JobMaker {
     }
   }
 
-  // The slots of all parts of the list; parts that broke are counted, too.
-  [[nodiscard]] std::vector<std::uint32_t> slots_of_names() const {
-    std::vector<std::uint32_t> slots;
-    for (Element x = 0; x < names_.size() && !job_.slots.empty(); ++x) {
-      const Block part = left_(Block{x});
-      slots.push_back(part.empty() ? no_slot - 1 - x : job_.slot_of[part.front()]);
-    }
-    return slots;
-  }
-
   [[nodiscard]] std::vector<std::string> names_in(const Block& parts) const {
     return each_of<std::string>(parts, [&](Element x) { return job_.names[x]; });
   }
@@ -418,7 +408,7 @@ class JobMaker {
       const auto input = question_.open("change_costs", asked.change_costs);
       job_.replace_costs = left_.square(
           read_old(*input, [&](Input& list, const auto& names, std::vector<std::string>* gone) {
-            return read_change_costs(list, names, slots_of_names(), gone);
+            return read_change_costs(list, names, left_.slots(job_), gone);
           }));
     }
     if (asked.never.is_given()) {
@@ -457,7 +447,10 @@ class JobMaker {
   // Drops pairs and triples that cannot meet, with a note.
   void take_needs() {
     if (question_->strength == of_triples) {
+      // A bench may have others that stay.
+      const Block mounted = has_benches() ? std::exchange(job_.mounted, {}) : job_.mounted;
       std::uint64_t apart = need_triples(job_);
+      job_.mounted = mounted;
       apart += drop_impossible_triples(job_, benches_);
       if (job_.triples.empty()) {
         throw BadInput(
@@ -473,9 +466,22 @@ class JobMaker {
             "{} cannot meet, for slots, forbidden pairs or what stays mounted, and need not",
             count_of(apart, "triple")));
       }
-    } else if (!question_->pairs.is_given() && !job_.slots.empty() &&
-               (!has_benches() || job_.model != nullptr)) {
-      leave_out(cannot_meet(job_), job_.model == nullptr ? "within the slots" : "by the rules");
+    } else if (!question_->pairs.is_given() && job_.model != nullptr) {
+      leave_out_by_rules();
+    } else if (!question_->pairs.is_given() && !job_.slots.empty() && !has_benches()) {
+      leave_out(cannot_meet(job_), "within the slots");
+    }
+  }
+
+  // What no test of the model has, and then what none has beside the values that stay; a bench may
+  // have others that stay.
+  void leave_out_by_rules() {
+    const Block mounted = std::exchange(job_.mounted, {});
+    const PairSet apart = cannot_meet(job_);
+    job_.mounted = mounted;
+    leave_out(apart, "by the rules");
+    if (!has_benches() && !mounted.empty()) {
+      leave_out(cannot_meet(job_), "beside what is always set");
     }
   }
 
@@ -494,16 +500,8 @@ class JobMaker {
                       "hold more parts, or raise {}",
                       question_.key("at_once")));
     }
-    constexpr std::uint64_t few = 3;
-    std::string examples;
-    apart.for_each(few, [&](Element x, Element y) {
-      examples += fmt::format("{}{} and {}", examples.empty() ? "" : "; ",
-                              job_.names[std::min(x, y)], job_.names[std::max(x, y)]);
-    });
     drop_needed(job_, apart);
-    notes_.push_back(fmt::format("{} cannot meet {} and need not: {}{}",
-                                 count_of(apart.size(), "pair"), where, examples,
-                                 apart.size() > few ? "; …" : ""));
+    notes_.push_back(apart_note(apart, job_, where));
   }
 
   void take_first_and_weights() {

@@ -74,6 +74,15 @@ PairReasons PartsLeft::operator()(const PairReasons& reasons) const {
   return left;
 }
 
+std::vector<std::uint32_t> PartsLeft::slots(const Job& job) const {
+  std::vector<std::uint32_t> slots;
+  for (std::size_t x = 0; x < number_.size() && !job.slots.empty(); ++x) {
+    slots.push_back(number_[x] ? job.slot_of[*number_[x]]
+                               : no_slot - 1 - static_cast<std::uint32_t>(x));
+  }
+  return slots;
+}
+
 std::string unknown_part_defect(const std::string& list, const std::string& gone,
                                 const std::vector<std::string>& names) {
   const std::size_t place = gone.rfind(" (" + list);

@@ -48,6 +48,10 @@ class PartsLeft {
     return by_pair;
   }
 
+  /// By part of the list, the slot in the job of those that are left; each other one has a number of
+  /// its own. Empty if the job has no slots.
+  [[nodiscard]] std::vector<std::uint32_t> slots(const Job& job) const;
+
  private:
   std::vector<std::optional<Element>> number_;  // by part of the list: its current number
   std::size_t left_ = 0;

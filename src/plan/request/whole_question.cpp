@@ -6,6 +6,7 @@
 
 #include "changeover/plan/model.hpp"
 #include "core/each.hpp"
+#include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/pair_numbers.hpp"
 
@@ -156,6 +157,17 @@ std::string first_names(const std::vector<std::string>& names, std::size_t from)
     first += (first.empty() ? "" : ", ") + names[i];
   }
   return first + (names.size() > from + few ? ", …" : "");
+}
+
+std::string apart_note(const PairSet& apart, const Job& job, std::string_view where) {
+  constexpr std::uint64_t few = 3;
+  std::string examples;
+  apart.for_each(few, [&](Element x, Element y) {
+    examples += fmt::format("{}{} and {}", examples.empty() ? "" : "; ", job.names[std::min(x, y)],
+                            job.names[std::max(x, y)]);
+  });
+  return fmt::format("{} cannot meet {} and need not: {}{}", count_of(apart.size(), "pair"), where,
+                     examples, apart.size() > few ? "; …" : "");
 }
 
 }  // namespace changeover

@@ -27,4 +27,8 @@ namespace changeover {
 /// The first names of a list from an index on, for a note: "DIMM #2, DIMM #3, CPU #2, …".
 [[nodiscard]] std::string first_names(const std::vector<std::string>& names, std::size_t from);
 
+/// A note on pairs (at least one) that need not meet: "2 pairs cannot meet by the rules and need
+/// not: A and B; C and D".
+[[nodiscard]] std::string apart_note(const PairSet& apart, const Job& job, std::string_view where);
+
 }  // namespace changeover

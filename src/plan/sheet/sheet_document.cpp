@@ -22,9 +22,9 @@
 
 namespace changeover {
 
-void add_mounted(TableDocument& document, const Job& job) {
-  if (!job.mounted.empty()) {
-    document.lists.push_back("mounted all the time: " + joined(names_of(job, job.mounted)));
+void add_mounted(TableDocument& document, const Job& job, const Block& mounted) {
+  if (!mounted.empty()) {
+    document.lists.push_back("mounted all the time: " + joined(names_of(job, mounted)));
   }
 }
 
@@ -340,7 +340,7 @@ TableDocument table_document(const SheetDocument& document) {
                      .style = style_of(job, document.compact),
                      .overview = "Plan"};
   set_lines(made, summary(document));
-  add_mounted(made, job);
+  add_mounted(made, job, job.mounted);
   if (job.tests_done > 0) {
     made.page_lines.push_back(fmt::format("{} done before.", count_of(job.tests_done, "test")));
   }

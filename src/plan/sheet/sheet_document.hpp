@@ -34,8 +34,8 @@ void add_what_goes_on(TableDocument& document, const Job& job, const Money& mone
                       const DoneRecord* done, const std::vector<std::string>& question,
                       const RequestList& benches = {});
 
-/// Adds the list of what stays mounted all the time.
-void add_mounted(TableDocument& document, const Job& job);
+/// Adds the list of what stays mounted all the time, unless it is empty.
+void add_mounted(TableDocument& document, const Job& job, const Block& mounted);
 
 /// For a page: "Stay mounted: A · B", "Mounted before the first step: C"; empty if no part is.
 [[nodiscard]] std::vector<std::string> mounted_on_page(const Job& job, bool has_steps = true);

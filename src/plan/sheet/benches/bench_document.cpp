@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/contains.hpp"
 #include "core/each.hpp"
 #include "core/words.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
@@ -74,6 +75,17 @@ std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
   return clean;
 }
 
+// What stays mounted on every bench that works.
+Block mounted_everywhere(const BenchDocument& document) {
+  Block mounted = document.job->mounted;
+  for (const Bench& bench : document.plan->benches) {
+    if (!bench.down && bench.mounted) {
+      std::erase_if(mounted, [&](Element x) { return !contains(*bench.mounted, x); });
+    }
+  }
+  return mounted;
+}
+
 }  // namespace
 
 std::vector<std::string> bench_sheet_names(const std::vector<Bench>& benches) {
@@ -123,7 +135,7 @@ TableDocument table_document(const BenchDocument& document) {
   const auto sheets = std::make_shared<const BenchSheets>(document);
   TableDocument made{.title = document.title, .style = style_of(*document.job), .overview = "Plan"};
   set_lines(made, bench_summary(document));
-  add_mounted(made, *document.job);
+  add_mounted(made, *document.job, mounted_everywhere(document));
   made.sections.push_back(
       {.heading = "Compared", .table = compared_benches(document, money), .in = in_html});
   std::vector<ShownSheet> whole;

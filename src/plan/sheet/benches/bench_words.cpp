@@ -189,7 +189,11 @@ std::vector<std::string> bench_facts(const BenchDocument& document, std::size_t 
     }
   };
   const bool of_model = job.model != nullptr;
-  list(of_model ? "always set" : "stays mounted", b.mounted.value_or(Block()));
+  // What the job says is said once for all benches, unless one of them says something else.
+  const bool some_say = std::ranges::any_of(
+      document.plan->benches, [](const Bench& each) { return !each.down && each.mounted; });
+  list(of_model ? "always set" : "stays mounted",
+       b.mounted.value_or(some_say ? job.mounted : Block()));
   list(of_model ? "set at the start" : "mounted at the start", b.start.value_or(Block()));
   list("has its own", b.own);
   list("cannot have", b.without);
