@@ -241,6 +241,31 @@ TEST(ModelUsage, TestsAreSharedBetweenMachines) {
          folder);
 }
 
+// A bench has its own values that stay: those of the job are of the others only.
+TEST(ModelUsage, WhatStaysOnOneMachineBarsNothingOnAnother) {
+  const TemporaryFolder folder;
+  spit(folder.file("m.txt"), browsers);
+  spit(folder.file("b.csv"), "bench,mounted\nNorth,\nSouth,Fedora\n");
+  const std::string plan = "$changeover plan --model m.txt --test-cost 2 --change-cost 1" + few;
+  const std::string both = plan + " --benches b.csv --mounted \"OS: Debian\" ";
+  const auto answer = answer_of(both + "--json", folder);
+  EXPECT_EQ(answer["pairs_needed"], 16);
+  expect({{both, 0, "South: always set: Fedora"},
+          {both, 0, "North: always set: Debian"},
+          {both + "| grep -c 'mounted all the time' || true", 0, "0\n"},
+          {both, 0, "2 pairs cannot meet by the rules and need not: "},
+          {both, 0, " cannot meet on any bench that works and need not: "},
+          {plan + " --mounted \"OS: Debian\"", 0,
+           " cannot meet beside what is always set and need not: "},
+          {both + "--without Fedora", 3,
+           "b.csv: bench 'South' always has Fedora, which is left out from now on; mark the bench "
+           "down or change its column mounted"},
+          {"printf 'bench,mounted,down\nNorth,,\nSouth,Fedora,yes\n' > b.csv && " + both +
+               "--without Fedora",
+           0, "South: out of order"}},
+         folder);
+}
+
 TEST(ModelUsage, TheSameAtEveryNumberOfThreads) {
   const TemporaryFolder folder;
   const Outcome outcome = run(

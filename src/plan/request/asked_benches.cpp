@@ -15,14 +15,32 @@
 #include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
-namespace {}  // namespace
+namespace {
+
+// A part that broke is mounted no more, but a machine whose value is gone has nothing to run.
+void check_mounted_left(const Bench& bench, const std::string& name, const std::string& list,
+                        const OldListOptions& options) {
+  const Block mounted = bench.mounted.value_or(Block());
+  for (const Element x : mounted) {
+    if (options.all_values != nullptr && !bench.down && (*options.left)(Block{x}).empty()) {
+      throw BadInput(fmt::format(
+          "{}: bench {} always has {}, which is left out from now on; mark the bench down or "
+          "change its column mounted",
+          list, shown(name), options.all_values->names[x]));
+    }
+  }
+}
+
+}  // namespace
 
 std::vector<Bench> listed_benches(Input& input, const OldListOptions& options) {
   const PartNames names =
       options.all_values != nullptr ? PartNames(*options.all_values) : PartNames(*options.names);
   std::vector<Bench> benches = read_benches(input, names, options.gone, options.notes);
   const PartsLeft& left = *options.left;
-  for (Bench& bench : benches) {
+  for (std::size_t b = 0; b < benches.size(); ++b) {
+    Bench& bench = benches[b];
+    check_mounted_left(bench, name_of(benches, b), input.name(), options);
     bench.own = left(bench.own);
     bench.without = left(bench.without);
     for (std::optional<Block>* parts : {&bench.mounted, &bench.start}) {
