@@ -266,6 +266,22 @@ TEST(ModelUsage, WhatStaysOnOneMachineBarsNothingOnAnother) {
          folder);
 }
 
+// Within a budget, the bounds are of plans that test all, and no test is not the end of the work.
+TEST(ModelUsage, BoundsWithinABudgetOfMachinesAreForAllPairs) {
+  const TemporaryFolder folder;
+  spit(folder.file("m.txt"), browsers);
+  const std::string plan =
+      "$changeover plan --model m.txt --test-cost 2 --change-cost 1 --benches 2" + few;
+  expect(
+      {{plan + " --budget 0", 0, "\nthe budget allows no test\n"},
+       {plan + " --budget 20", 0, " for all pairs for all benches together: "},
+       {plan +
+            " --budget 20 | grep -c '^no plan is\\|^lower bound for the bench\\|nothing is left' "
+            "|| true",
+        0, "0\n"}},
+      folder);
+}
+
 TEST(ModelUsage, TheSameAtEveryNumberOfThreads) {
   const TemporaryFolder folder;
   const Outcome outcome = run(

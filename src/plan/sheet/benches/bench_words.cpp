@@ -61,7 +61,8 @@ std::string end_line(const BenchDocument& document, const BenchCalendar& calenda
                      const Money& money) {
   const BenchPlan& plan = *document.plan;
   if (plan.tests == 0) {
-    return "nothing is left to do";
+    return plan.complete && plan.complete->tests > 0 ? "the budget allows no test"
+                                                     : "nothing is left to do";
   }
   if (calendar.has_days()) {
     return fmt::format("done on {}; {} {}s of work together",
@@ -76,30 +77,41 @@ std::string end_line(const BenchDocument& document, const BenchCalendar& calenda
                            money(plan.cost));
 }
 
+// What bounds are of, if the plan is of less: the budget does not suffice for all.
+std::string for_all_of(const BenchDocument& document) {
+  return document.plan->complete ? " for all " + what_meets(*document.job) : "";
+}
+
 std::string makespan_line(const BenchDocument& document, const BenchCalendar& calendar,
                           const Money& money) {
   const BenchPlan& plan = *document.plan;
   const Amount found = plan.complete ? plan.complete->makespan : plan.makespan;
   const Amount bound = plan.makespan_bound;
+  const std::string all = "all " + what_meets(*document.job);
+  const std::string for_all = for_all_of(document);
+  // Within a budget, the bounds are of a plan that tests all.
+  const std::string_view this_plan =
+      plan.complete ? "such a plan was found that is" : "this plan is";
   if (calendar.has_days()) {
-    return fmt::format("no plan for all is done before {}{}{}", day_words(calendar, money, bound),
-                       found == bound          ? ": "
-                       : bound.millionths == 0 ? ", since "
-                                               : fmt::format(" (this plan is at most {} above the "
-                                                             "least possible), since ",
-                                                             per_cent_above(found, bound)),
-                       plan.makespan_reason);
+    return fmt::format(
+        "no plan for {} is done before {}{}{}", all, day_words(calendar, money, bound),
+        found == bound          ? ": "
+        : bound.millionths == 0 ? ", since "
+                                : fmt::format(" ({} at most {} above the least "
+                                              "possible), since ",
+                                              this_plan, per_cent_above(found, bound)),
+        plan.makespan_reason);
   }
   if (found == bound) {
-    return fmt::format("no plan is done for less than {} on each bench: {}", money(bound),
-                       plan.makespan_reason);
+    return fmt::format("no plan{} is done for less than {} on each bench: {}", for_all,
+                       money(bound), plan.makespan_reason);
   }
-  return fmt::format("lower bound for the bench that costs most: {}{}, since {}", money(bound),
-                     bound.millionths == 0
-                         ? ""
-                         : fmt::format(" (this plan is at most {} above the least possible)",
-                                       per_cent_above(found, bound)),
-                     plan.makespan_reason);
+  return fmt::format(
+      "lower bound{} for the bench that costs most: {}{}, since {}", for_all, money(bound),
+      bound.millionths == 0 ? ""
+                            : fmt::format(" ({} at most {} above the least possible)", this_plan,
+                                          per_cent_above(found, bound)),
+      plan.makespan_reason);
 }
 
 bool all_alike(const BenchDocument& document) {
@@ -241,11 +253,12 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
   }
   if (plan.bound.cost.millionths > 0) {
     lines.push_back(makespan_line(document, calendar, money));
-    lines.push_back(
-        plan.makespan_reason == plan.bound.reason
-            ? fmt::format("lower bound for all benches together: {}", money(plan.bound.cost))
-            : fmt::format("lower bound for all benches together: {}, since {}",
-                          money(plan.bound.cost), plan.bound.reason));
+    lines.push_back(plan.makespan_reason == plan.bound.reason
+                        ? fmt::format("lower bound{} for all benches together: {}",
+                                      for_all_of(document), money(plan.bound.cost))
+                        : fmt::format("lower bound{} for all benches together: {}, since {}",
+                                      for_all_of(document), money(plan.bound.cost),
+                                      plan.bound.reason));
   }
   if (all_alike(document)) {
     lines.push_back(fmt::format("every bench begins empty, and every bench can have every {}",
