@@ -111,7 +111,8 @@ class SetupReader {
   SetupReader(Input& input, const PartNames& names, std::uint64_t at_once, bool forgiving)
       : reader_(input, {.is_no_comment =
                             [this](const Row& row) {
-                              return !is_begun_ && setup_columns(row, finder_, false).header;
+                              return is_begun_ ? is_test_all_the_same(row)
+                                               : setup_columns(row, finder_, false).header;
                             }}),
         finder_(names, numbers_in(reader_)),
         at_once_(at_once),
@@ -142,6 +143,7 @@ class SetupReader {
     }
     if (columns_.header && forgiving_) {
       extra_rows_.say(list_);
+      say_what_is_a_comment();
       say_what_was_taken();
       steps_.put_in_order(list_, header_, columns_, reader_);
       other_results_.say(list_, header_, reader_);
@@ -180,6 +182,51 @@ class SetupReader {
   void take_all_of(std::vector<Row>& rows) {
     for (Row& row : rows) {
       take(std::move(row));
+    }
+  }
+
+  // Whether a line that begins with # is a test below the heads of a run sheet: the first column
+  // may be one of tickets, as #40. A part that was commented out is kept for a note.
+  bool is_test_all_the_same(const Row& row) {
+    const auto last = columns_.slots.empty() ? columns_.list : std::optional(columns_.slots.back());
+    if (!forgiving_ || !columns_.header || !last || row.size() <= *last ||
+        shape_of(each_of<std::string>(header_, &Field::text)) == SheetShape::other) {
+      return false;
+    }
+    const auto names_part = [&](std::size_t at) { return is_part_in(at, row[at].text); };
+    const TestResult said = columns_.result && *columns_.result < row.size()
+                                ? result_of(row[*columns_.result].text)
+                                : TestResult::none;
+    const bool has_result = said == TestResult::pass || said == TestResult::fail;
+    const bool is_test = has_result || std::ranges::any_of(columns_.slots, names_part) ||
+                         (columns_.list && names_part(*columns_.list));
+    const bool begins_with_part = *last == 0 || contains(columns_.slots, std::size_t{0});
+    if (is_test && begins_with_part && !names_part(0) && is_part_in(0, row[0].text.substr(1))) {
+      comments_.push_back(row.front().line);
+      return false;
+    }
+    return is_test;
+  }
+
+  // Whether a text is a part in this column, or begins with one where it has all of them.
+  [[nodiscard]] bool is_part_in(std::size_t column, const std::string& text) const {
+    const auto place = std::ranges::find(columns_.slots, column);
+    const auto at = static_cast<std::size_t>(place - columns_.slots.begin());
+    if (at < columns_.parameters.size()) {
+      return finder_.model()->value(columns_.parameters[at], text_of(text)).has_value();
+    }
+    return !text.empty() &&
+           find_cell(column == columns_.list ? text.substr(0, text.find(',')) : text).has_value();
+  }
+
+  void say_what_is_a_comment() {
+    if (!comments_.empty()) {
+      list_.notes.push_back(fmt::format(
+          "{}: the row begins with #, so it is a comment{}; remove the # if the test was run",
+          reader_.place(Field{.text = {}, .offset = 0, .line = comments_.front()}),
+          comments_.size() == 1
+              ? ""
+              : fmt::format(", as with {}", count_of(comments_.size() - 1, "other row"))));
     }
   }
 
@@ -402,6 +449,7 @@ class SetupReader {
   OtherResults other_results_;
   std::optional<SheetEvidence> evidence_;  // of a run sheet with a column for each place
   std::unordered_set<std::string> gone_;
+  std::vector<std::uint64_t> comments_;  // lines with a test that was commented out
   DoneList list_;
 };
 

@@ -40,7 +40,7 @@ std::optional<std::uint64_t> StepNumbers::take(const Row& row, const SetupColumn
   }
   const Field& cell = row[*columns.step];
   offsets_.push_back(cell.offset);
-  const auto number = step_said(text);
+  const auto number = step_said(text.starts_with('#') ? text.substr(1) : text);
   if (number && !(*number >= 0 && *number <= static_cast<double>(most_steps))) {
     reader.fail(cell,
                 fmt::format("{} is not the number of a step; write a whole number, at most {}",

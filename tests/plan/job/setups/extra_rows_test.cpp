@@ -76,5 +76,19 @@ TEST(ExtraRows, OtherHeadsAreOfAnotherSheet) {
               HasSubstr("other heads"));
 }
 
+TEST(ExtraRows, ALineWithASignOfCommentsIsATestIfItHasOne) {
+  const std::string heads = "step,put_in,slot_1,slot_2,new_pairs,result";
+  const DoneList steps = read(heads + "\n#2,C,A,C,1,fail\n#1,\"A, B\",A,B,1,pass\n# Day 2\n");
+  EXPECT_THAT(steps.setups(), ElementsAre(Block{0, 1}, Block{0, 2}));
+  EXPECT_EQ(steps.rows.front().step, 1U);
+  EXPECT_EQ(read("ticket," + heads + "\n#40,1,\"A, B\",A,B,1,pass\n").rows.size(), 1U);
+  EXPECT_EQ(read("remark," + heads + "\n#2 with photo,1,\"A, B\",A,B,1,\n").rows.size(), 1U);
+  EXPECT_EQ(read(heads + "\n1,\"A, B\",A,B,1,pass\n#,was,late,and,so,on\n").rows.size(), 1U);
+  const DoneList out = read("slot_1,slot_2,result\nA,B,pass\n#C,D,pass\n");
+  EXPECT_EQ(out.rows.size(), 1U);
+  EXPECT_THAT(out.notes, ElementsAre("d.csv:3:1: the row begins with #, so it is a comment; "
+                                     "remove the # if the test was run"));
+}
+
 }  // namespace
 }  // namespace changeover::extra_rows_test
