@@ -142,6 +142,9 @@ class SetupReader {
       take_all_of(above);
     }
     if (columns_.header && forgiving_) {
+      if (merged_ && !list_.has_results()) {
+        throw BadInput(*merged_);
+      }
       extra_rows_.say(list_);
       say_what_is_a_comment();
       say_what_was_taken();
@@ -265,6 +268,7 @@ class SetupReader {
         columns_ = setup_columns(header_, finder_, false);
       }
       check_header(header_, columns_, reader_);
+      check_parameters();
       list_.places = places_of(columns_, header_, finder_);
       other_results_.find(header_, columns_);
       if (forgiving_ && !reader_.is_given() && !columns_.slots.empty()) {
@@ -272,6 +276,19 @@ class SetupReader {
       }
     }
     return columns_.header;
+  }
+
+  // The column step is none of the parameter Step, which has its own.
+  void check_parameters() const {
+    if (columns_.lost) {
+      const std::size_t p = columns_.lost->parameter;
+      const std::string& name = finder_.model()->model().parameters[p].name;
+      reader_.fail(
+          header_[columns_.lost->column],
+          fmt::format("the parameter {} has no column {}, and this one is not it; put that "
+                      "column back",
+                      shown(name), shown(fmt::format("slot_{} {}", p + 1, name))));
+    }
   }
 
   void take(Row row) {
@@ -283,7 +300,7 @@ class SetupReader {
         return;
       }
       check_shape(row, header_, columns_, reader_);
-      check_merged(row, columns_, reader_);
+      look_at_merged(row);
     }
     const std::size_t place = row.front().offset;
     DoneRow done{.setup = {}, .line = row.front().line};
@@ -313,6 +330,20 @@ class SetupReader {
       });
     }
     list_.rows.push_back(std::move(done));
+  }
+
+  // Cells that were merged in a row that was not run do no harm, unless no row has a result.
+  void look_at_merged(const Row& row) {
+    try {
+      check_merged(row, columns_, reader_);
+    } catch (const BadInput& fault) {
+      const bool has_result = !columns_.result || !row[*columns_.result].text.empty() ||
+                              reader_.merged_with_others(row[*columns_.result]).has_value();
+      if (!forgiving_ || has_result) {
+        throw;
+      }
+      merged_ = merged_.value_or(fault);
+    }
   }
 
   // Whether a row is no test. One that another column of results has something to say of is none
@@ -449,6 +480,7 @@ class SetupReader {
   OtherResults other_results_;
   std::optional<SheetEvidence> evidence_;  // of a run sheet with a column for each place
   std::unordered_set<std::string> gone_;
+  std::optional<BadInput> merged_;       // the first cells merged in a row without a result
   std::vector<std::uint64_t> comments_;  // lines with a test that was commented out
   DoneList list_;
 };

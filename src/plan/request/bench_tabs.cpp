@@ -22,6 +22,18 @@ bool has_result(const DoneRow& row) {
   return said != TestResult::none && said != TestResult::not_run;
 }
 
+// A bench that a column names in another case.
+void take_benches_in_any_case(const std::vector<Bench>& benches, std::vector<DoneList>& lists) {
+  for (DoneList& list : lists) {
+    for (DoneRow& row : list.rows) {
+      const bool is_unknown = !row.bench.empty() && !find_bench(benches, row.bench);
+      if (const auto bench = is_unknown ? bench_of_tab(benches, row.bench) : std::nullopt) {
+        row.bench = name_of(benches, *bench);
+      }
+    }
+  }
+}
+
 std::string some_tabs(const std::vector<Bench>& benches) {
   constexpr std::size_t few = 3;
   return joined(bench_sheet_names(benches) | std::views::take(few), " or ", shown);
@@ -40,6 +52,7 @@ std::optional<std::size_t> bench_of_tab(const std::vector<Bench>& benches, const
 void take_benches_of_tabs(const std::vector<std::unique_ptr<Input>>& inputs,
                           const std::vector<Bench>& benches, std::vector<DoneList>& lists,
                           std::vector<std::string>& notes) {
+  take_benches_in_any_case(benches, lists);
   for (std::size_t i = 0; i < lists.size() && benches.size() > 1; ++i) {
     const auto* const sheet = dynamic_cast<const SheetInput*>(inputs[i].get());
     std::vector<DoneRow>& rows = lists[i].rows;

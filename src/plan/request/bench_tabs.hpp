@@ -18,8 +18,9 @@ namespace changeover {
                                                       const std::string& tab);
 
 /// Gives the tests of a sheet that name no bench the one that its tab says, if none of its tests
-/// is of another; a note says so. The inputs are those of the lists. @throws BadInput with the
-/// sheet for a run sheet with results none of which has a bench, if its tab says none
+/// is of another; a note says so. A bench named in another case is that bench. The inputs are those
+/// of the lists. @throws BadInput with the sheet for a run sheet with results none of which has a
+/// bench, if its tab says none
 void take_benches_of_tabs(const std::vector<std::unique_ptr<Input>>& inputs,
                           const std::vector<Bench>& benches, std::vector<DoneList>& lists,
                           std::vector<std::string>& notes);

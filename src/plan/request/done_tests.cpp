@@ -26,6 +26,16 @@ namespace {
 
 constexpr std::size_t unread_shown = 10;
 
+// A number that no column of parts has, though one has a higher number.
+std::optional<std::uint64_t> missing_place(const std::vector<DonePlace>& places) {
+  for (std::uint64_t number = 1; number <= places.size(); ++number) {
+    if (std::ranges::find(places, number, &DonePlace::number) == places.end()) {
+      return number;
+    }
+  }
+  return std::nullopt;
+}
+
 Block in_order(Block setup) {
   std::ranges::sort(setup);
   return setup;
@@ -262,8 +272,16 @@ class DoneTaker {
     for (const Slot& slot : job_->slots) {
       if (are_named && job_->model == nullptr && slot.least > 0 &&
           std::ranges::find(list_.places, slot.name, &DonePlace::slot) == list_.places.end()) {
-        note(fmt::format("no column has the parts in slot {}", slot.name));
+        const std::string what = fmt::format("no column has the parts in slot {}", slot.name);
+        if (const auto missing = missing_place(list_.places)) {
+          throw BadInput(fmt::format("{}: {}, and none is called slot_{}; put that column back",
+                                     name_, what, *missing));
+        }
+        note(what);
       }
+    }
+    if (are_named && job_->model == nullptr && benches_->empty()) {
+      note_slots_that_lack();
     }
     for (const Element x : job_->mounted) {
       if (!list_.places.empty() && std::ranges::none_of(list_.rows, [&](const DoneRow& row) {
@@ -276,6 +294,43 @@ class DoneTaker {
             "mounted; if it was there, write it: what was tested with it does not count",
             name_, list_.rows[*row].line, shown(job_->names[x])));
       }
+    }
+  }
+
+  // A done test with fewer parts in a slot than every set-up has, where its cells are empty.
+  void note_slots_that_lack() {
+    std::size_t others = 0;
+    std::string first;
+    for (const DoneRow& row : list_.rows) {
+      const TestResult said = result_of(row.result);
+      if (said == TestResult::none || said == TestResult::not_run ||
+          row.written.size() != list_.places.size()) {
+        continue;
+      }
+      for (const Slot& slot : job_->slots) {
+        std::uint64_t there = 0;
+        std::optional<std::size_t> empty;
+        for (std::size_t i = 0; i < row.written.size(); ++i) {
+          if (list_.places[i].slot == slot.name) {
+            there += row.written[i].empty() ? 0U : 1U;
+            empty = row.written[i].empty() && !empty ? std::optional(i) : empty;
+          }
+        }
+        if (empty && there < slot.least) {
+          others += first.empty() ? 0U : 1U;
+          first = !first.empty() ? first
+                                 : fmt::format(
+                                       "the test in row {} has {} in slot {}, which needs "
+                                       "{}, and an empty cell under slot_{} {}",
+                                       row.line, count_of(there, "part"), slot.name, slot.least,
+                                       list_.places[*empty].number, slot.name);
+        }
+      }
+    }
+    if (!first.empty()) {
+      list_.notes.push_back(fmt::format(
+          "{}: {}{}; write the part that was there: what was tested with it does not count", name_,
+          first, others == 0 ? "" : fmt::format(", as in {}", count_of(others, "other case"))));
     }
   }
 

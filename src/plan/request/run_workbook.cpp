@@ -76,7 +76,9 @@ std::optional<HeadRow> head_row(WorkbookSheet& sheet) {
     }
     HeadRow head{.number = row->number, .heads = Heads(row->cells.back().column + 1)};
     for (const SheetCell& cell : row->cells) {
-      head.heads[cell.column] = cell.text;
+      const std::size_t begin = std::min(cell.text.find_first_not_of(' '), cell.text.size());
+      head.heads[cell.column] =
+          cell.text.substr(begin, cell.text.find_last_not_of(' ') + 1 - begin);
     }
     if (shape_of(head.heads) != SheetShape::other) {
       return head;
@@ -230,6 +232,32 @@ std::vector<std::string> RunWorkbook::unread_results() const {
     }
   }
   return found;
+}
+
+std::vector<std::string> RunWorkbook::hidden_results() const {
+  std::vector<std::string> found;
+  for (const SheetName& each : sheets) {
+    if (each.hidden && lower_case(each.name) != lower_case(done_sheet) &&
+        lower_case(each.name) != lower_case(question_sheet) &&
+        shape(each.name) != SheetShape::other && steps_on(*this, each.name).results > 0) {
+      found.push_back(each.name);
+    }
+  }
+  return found;
+}
+
+void RunWorkbook::note_unread_results(std::vector<std::string>& notes) const {
+  if (const std::vector<std::string> unread = unread_results(); !unread.empty()) {
+    notes.push_back(fmt::format(
+        "{}: the results on {} are not read; give such a sheet the heads slot_1, slot_2, … above "
+        "its parts",
+        name, joined(unread, shown)));
+  }
+  if (const std::vector<std::string> hidden = hidden_results(); !hidden.empty()) {
+    notes.push_back(fmt::format(
+        "{}: the results on the hidden {} {} are not read; show what counts, and delete the rest",
+        name, hidden.size() == 1 ? "sheet" : "sheets", joined(hidden, shown)));
+  }
 }
 
 std::optional<RunWorkbook> run_workbook(const RequestList& list, const std::string& spelled) {

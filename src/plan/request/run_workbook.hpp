@@ -50,6 +50,12 @@ struct RunWorkbook {
   /// The other visible sheets that have a head of results.
   [[nodiscard]] std::vector<std::string> unread_results() const;
 
+  /// The hidden sheets with steps or tests and some result, which are not read.
+  [[nodiscard]] std::vector<std::string> hidden_results() const;
+
+  /// Notes name the sheets of both.
+  void note_unread_results(std::vector<std::string>& notes) const;
+
  private:
   [[nodiscard]] SheetShape shape(const std::string& wanted) const;
 };

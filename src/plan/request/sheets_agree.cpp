@@ -78,12 +78,16 @@ class Agreement {
         if (known != known_.end()) {
           compare(known->second, {i, k});
         }
-        here.emplace(key, KnownTest{i, k});
+        const auto [first, is_new] = here.emplace(key, KnownTest{i, k});
+        if (!is_new && is_repeated(row_of(first->second), row)) {
+          repeated_.push_back({i, k});
+        }
       }
       known_.merge(here);
     }
     join_copies();
     note_doubles();
+    note_repeated();
     drop();
   }
 
@@ -166,12 +170,32 @@ class Agreement {
                                   doubles_.size() == 1 ? "it counts" : "they count"));
   }
 
+  // As where a sheet was copied below itself.
+  static bool is_repeated(const DoneRow& one, const DoneRow& other) {
+    return have_same_parts(one, other) && result_of(one.result) == result_of(other.result);
+  }
+
+  void note_repeated() {
+    if (repeated_.empty()) {
+      return;
+    }
+    const DoneRow& row = row_of(repeated_.front());
+    notes_->push_back(fmt::format(
+        "{}: step {} is on the sheet before, with the same parts and result{}; give {} another "
+        "number to count both",
+        at(input_of(repeated_.front()), row), *row.step,
+        repeated_.size() == 1 ? " and counts once"
+                              : fmt::format(", as are {}, which all count once",
+                                            count_of(repeated_.size() - 1, "other test")),
+        repeated_.size() == 1 ? "it" : "them"));
+  }
+
   void drop() {
     std::vector<std::vector<bool>> dropped;
     for (const DoneList& list : *lists_) {
       dropped.emplace_back(list.rows.size(), false);
     }
-    for (const auto* tests : {&doubles_, &joined_}) {
+    for (const auto* tests : {&doubles_, &joined_, &repeated_}) {
       for (const KnownTest& test : *tests) {
         dropped[test.list][test.row] = true;
       }
@@ -189,7 +213,8 @@ class Agreement {
   std::vector<std::optional<bool>> earlier_;  // by list, once it was asked
   std::map<Key, KnownTest> known_;
   std::vector<KnownTest> doubles_;
-  std::vector<KnownTest> joined_;  // without a result, and on another sheet, too
+  std::vector<KnownTest> joined_;    // without a result, and on another sheet, too
+  std::vector<KnownTest> repeated_;  // on the same sheet before
   bool some_differ_ = false;
 };
 
@@ -215,6 +240,25 @@ void make_agree(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<D
     refuse_list_of_another_job(*inputs[i], lists[i]);
   }
   Agreement(inputs, lists, notes).make();
+}
+
+void note_lost_steps(const std::string& book, std::uint64_t last_step,
+                     const std::vector<DoneList>& lists, std::vector<std::string>& notes) {
+  std::optional<std::uint64_t> least;
+  for (const DoneList& list : lists) {
+    for (const DoneRow& row : list.rows) {
+      least = row.step ? std::min(least.value_or(*row.step), *row.step) : least;
+    }
+  }
+  const std::uint64_t begin = last_step + 1;
+  if (!least || *least <= begin) {
+    return;
+  }
+  const bool is_one = *least == begin + 1;
+  notes.push_back(fmt::format(
+      "{}: no sheet has tests with {}; if {} done, put {} back", book,
+      is_one ? fmt::format("step {}", begin) : fmt::format("steps {} to {}", begin, *least - 1),
+      is_one ? "it was" : "they were", is_one ? "it" : "them"));
 }
 
 }  // namespace changeover

@@ -1,6 +1,7 @@
 // Several sheets of one workbook with tests that were done: what they say of the same test.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,5 +21,9 @@ namespace changeover {
 /// sheets have one step with different parts; for a list that has no part of the job
 void make_agree(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<DoneList>& lists,
                 std::vector<std::string>& notes);
+
+/// A note where no list has the steps of one bench that follow this one, but later steps are there.
+void note_lost_steps(const std::string& book, std::uint64_t last_step,
+                     const std::vector<DoneList>& lists, std::vector<std::string>& notes);
 
 }  // namespace changeover

@@ -159,16 +159,6 @@ Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
   return written;
 }
 
-// Results on sheets that are neither run sheets nor lists of tests.
-void note_unread_results(const RunWorkbook& book, std::vector<std::string>& notes) {
-  if (const std::vector<std::string> unread = book.unread_results(); !unread.empty()) {
-    notes.push_back(fmt::format(
-        "{}: the results on {} are not read; give such a sheet the heads slot_1, slot_2, … above "
-        "its parts",
-        book.name, joined(unread, shown)));
-  }
-}
-
 // A bench whose sheet was taken out of the workbook takes its results along.
 void note_lost_sheets(const RunWorkbook& book, const std::vector<std::string>& run,
                       const Written& written, std::vector<std::string>& notes) {
@@ -419,7 +409,7 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
   const std::vector<std::string> run = book.run_sheets(request.done.is_given() ? nullptr : &notes);
   const bool has_done = !book.tests_done().empty();
   if (!request.done.is_given()) {
-    note_unread_results(book, notes);
+    book.note_unread_results(notes);
   }
   if (has_done && run.empty() && !request.done.is_given()) {
     request.done = book.list;
@@ -433,6 +423,9 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
     const Written written = written_on(book, run, question);
     const bool has_results = written.has_results();
     note_lost_sheets(book, run, written, notes);
+    if (written.before->benches.empty()) {
+      note_lost_steps(book.name, written.before->job->last_step, written.lists, notes);
+    }
     if (has_results || has_done || request.diagnose) {
       request.done = book.list;
     } else {

@@ -77,5 +77,10 @@ TEST(BenchTabs, ThatSayNothingAreRefusedIfThereAreResults) {
   EXPECT_EQ(Sheet("Done", {"", ""}, "pass").fault(), "none") << "earlier tests may be of none";
 }
 
+TEST(BenchTabs, AColumnMayNameABenchInAnotherCase) {
+  Sheet rows("Monday", {"NORTH/1", "south", "East"}, "pass");
+  EXPECT_THAT(rows.taken(), ElementsAre("North/1", "South", "East"));
+}
+
 }  // namespace
 }  // namespace changeover::bench_tabs_test

@@ -67,5 +67,14 @@ TEST(RunWorkbook, AWorkbookWithoutTestsHasNone) {
   EXPECT_THAT(book.run_sheets(), IsEmpty());
 }
 
+TEST(RunWorkbook, HeadsInAnotherCaseAndModelsWithoutTheirSetHeadRunSheets) {
+  const RunWorkbook book = book_of({
+      {"North", {{" STEP ", "SLOT_1", "Slot_2", "New pairs", "RESULT"}, {"1", "A", "B", "1", ""}}},
+      {"South", {{"step", "OS", "Disk", "new_pairs", "result"}, {"1", "Linux", "SSD", "1", ""}}},
+      {"Stock", {{"part", "cost", "result"}, {"A", "1", ""}}},
+  });
+  EXPECT_THAT(book.run_sheets(), ElementsAre("North", "South"));
+}
+
 }  // namespace
 }  // namespace changeover::run_workbook_test

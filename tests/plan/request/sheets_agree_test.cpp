@@ -17,6 +17,8 @@ using testing::IsEmpty;
 
 const std::vector<std::string> names{"A", "B", "C", "D"};
 
+using Named = std::vector<std::pair<std::string, std::string>>;
+
 // Lists as sheets of a book: their rows as CSV, their inputs by name.
 struct Sheets {
   std::vector<std::unique_ptr<Input>> inputs;
@@ -92,6 +94,26 @@ TEST(SheetsAgree, ASheetWithoutAnyPartOfTheJobIsRefused) {
             "b.xlsx:Old: none of its parts is in the parts list; give the tests of this job, or "
             "delete the sheet");
   EXPECT_EQ(Sheets({{"Run sheet", ",1,A,B,pass\n"}, {"Old", ",5,X,A,pass\n"}}).fault(), "none");
+}
+
+TEST(SheetsAgree, ATestTwiceOnASheetCountsOnce) {
+  Sheets sheets(Named{{"Run sheet", ",1,A,B,pass\n,2,A,C,\n,1,B,A,ok\n,2,A,C,\n,2,A,D,pass\n"}});
+  EXPECT_EQ(sheets.agree().lists[0].rows.size(), 4U);
+  EXPECT_THAT(sheets.notes,
+              ElementsAre("b.xlsx:Run sheet: row 4: step 1 is on the sheet before, with the same "
+                          "parts and result and counts once; give it another number to count "
+                          "both"));
+}
+
+TEST(SheetsAgree, StepsThatNoSheetHasAreNoted) {
+  Sheets sheets(Named{{"Tue", ",4,A,B,pass\n"}});
+  note_lost_steps("b.xlsx", 0, sheets.lists, sheets.notes);
+  note_lost_steps("b.xlsx", 2, sheets.lists, sheets.notes);
+  note_lost_steps("b.xlsx", 3, sheets.lists, sheets.notes);
+  EXPECT_THAT(sheets.notes,
+              ElementsAre("b.xlsx: no sheet has tests with steps 1 to 3; if they were done, put "
+                          "them back",
+                          "b.xlsx: no sheet has tests with step 3; if it was done, put it back"));
 }
 
 }  // namespace

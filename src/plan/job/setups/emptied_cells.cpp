@@ -115,6 +115,13 @@ void EmptiedCells::judge_row(const Neighbours& rows, const PartFinder& finder,
   }
 }
 
+// A test of the user between those that were planned: it has no number and no changes.
+bool EmptiedCells::is_own(const DoneRow& row) const {
+  const Changes& changes = rows_.at(row.line).changes;
+  const auto says_none = [](const std::optional<Block>& parts) { return !parts || parts->empty(); };
+  return !row.step && says_none(changes.out) && says_none(changes.in);
+}
+
 void EmptiedCells::judge(DoneList& list, const PartFinder& finder, const RowReader& reader) const {
   if (!some_are_empty_) {
     return;
@@ -127,7 +134,12 @@ void EmptiedCells::judge(DoneList& list, const PartFinder& finder, const RowRead
       judge_row(rows, finder, reader, doubts);
     }
   };
+  const bool has_steps =
+      std::ranges::any_of(list.rows, [](const DoneRow& row) { return row.step.has_value(); });
   for (const DoneRow& row : list.rows) {
+    if (has_steps && is_own(row)) {
+      continue;
+    }
     Neighbours& rows = by_bench[row.bench];
     rows = {.above = rows.here, .here = rows.below, .below = &row};
     look(rows);

@@ -47,6 +47,7 @@ class EmptiedCells {
   [[nodiscard]] bool is_after(const Neighbours& rows, std::size_t place) const;
   void judge_row(const Neighbours& rows, const PartFinder& finder, const RowReader& reader,
                  std::vector<std::string>& doubts) const;
+  [[nodiscard]] bool is_own(const DoneRow& row) const;
   [[nodiscard]] bool is_doubtful(const Neighbours& rows, std::size_t place) const;
 
   std::map<std::uint64_t, Known> rows_;  // by line

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <ranges>
 
 #include "changeover/core/error.hpp"
+#include "core/contains.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/write/csv_cell.hpp"
@@ -20,10 +22,10 @@ const std::string& text_at(const Row& row, std::size_t column) {
   return column < row.size() ? row[column].text : none;
 }
 
-// Whether two rows say the same; a row may lack empty fields at its end.
+// Whether two rows say the same, in whatever case; a row may lack empty fields at its end.
 bool say_the_same(const Row& one, const Row& other) {
   for (std::size_t i = 0; i < std::max(one.size(), other.size()); ++i) {
-    if (text_at(one, i) != text_at(other, i)) {
+    if (lower_case(text_at(one, i)) != lower_case(text_at(other, i))) {
       return false;
     }
   }
@@ -54,6 +56,28 @@ bool has_parts(const Row& row, const SetupColumns& columns) {
   return (columns.list && !text_at(row, *columns.list).empty()) ||
          std::ranges::any_of(columns.slots,
                              [&](std::size_t at) { return !text_at(row, at).empty(); });
+}
+
+// Whether a word heads a line of sums.
+bool heads_sums(std::string_view text) {
+  constexpr auto words = std::to_array<std::string_view>(
+      {"total", "totals", "sum", "sums", "subtotal", "summe", "gesamt", "somme", "suma", "totale"});
+  std::string word = lower_case(text);
+  while (word.ends_with(':') || word.ends_with(' ')) {
+    word.pop_back();
+  }
+  return contains(words, std::string_view(word));
+}
+
+// Whether the columns of parts of a row have one word, and that of a line of sums.
+bool is_of_sums(const Row& row, const SetupColumns& columns, const PartFinder& finder) {
+  const std::string* only = nullptr;
+  std::size_t filled = 0;
+  for (const std::size_t at : columns.slots) {
+    only = text_at(row, at).empty() ? only : &text_at(row, at);
+    filled += text_at(row, at).empty() ? 0U : 1U;
+  }
+  return filled == 1 && heads_sums(*only) && !finder.is_name_in_any_case(*only);
 }
 
 // Whether a row is one word that is no part and no number, as the name of a day is.
@@ -89,7 +113,7 @@ ExtraRows::Kind ExtraRows::take(const Row& row, const Row& header, const SetupCo
     return skip(Kind::other, shown(std::ranges::find_if(row, is_filled)->text));
   }
   const bool is_cut = !columns.slots.empty() && row.size() <= columns.slots.back();
-  if (has_parts(row, columns) || is_cut) {
+  if ((has_parts(row, columns) && !is_of_sums(row, columns, finder)) || is_cut) {
     return Kind::test;
   }
   if (has_result) {

@@ -33,6 +33,13 @@ std::optional<DonePlace> place_in(std::string_view head) {
 
 namespace {
 
+// A head as the program writes its own: "New pairs" as "new_pairs".
+std::string in_our_letters(std::string_view head) {
+  std::string text = lower_case(head);
+  std::ranges::replace(text, ' ', '_');
+  return text;
+}
+
 // The first column that is not taken and whose head is as asked.
 template <class Is>
 std::optional<std::size_t> first_column(const Heads& heads, const std::vector<bool>& taken,
@@ -48,13 +55,14 @@ std::optional<std::size_t> first_column(const Heads& heads, const std::vector<bo
 // Whether a head is one of ours that is so.
 auto is_own(bool OwnHead::*so) {
   return [so](std::string_view head) {
-    const OwnHead* const own = own_head(head);
+    const OwnHead* const own = own_head(in_our_letters(head));
     return own != nullptr && own->*so;
   };
 }
 
-bool heads_a_setup(std::string_view head) {
-  return head == "set_up" || head == "put_in" || head == "set" || place_in(head).has_value();
+bool heads_a_setup(std::string_view text) {
+  const std::string head = in_our_letters(text);
+  return head == "set_up" || head == "put_in" || head == "set" || place_in(text).has_value();
 }
 
 // The column that follows the figures, if there is one of them that no list but a run sheet has.
@@ -89,6 +97,14 @@ std::optional<HeadedParameter> headed_parameter(const ModelNames& model, const s
   return found ? std::optional(HeadedParameter{*found, false}) : std::nullopt;
 }
 
+// Whether a parameter of this name has a column "slot_1 Step" on run sheets.
+bool own_value_head(const std::string& head) {
+  constexpr auto beside = std::to_array<std::string_view>(
+      {"step", "set", "take_out", "put_in", "new_pairs", "new_triples", "cost", "cost_so_far",
+       "result", "notes", "bench"});
+  return std::ranges::find(beside, lower_case(head)) != beside.end();
+}
+
 // The columns beside the set-up.
 void find_beside(const Row& first, const std::vector<bool>& taken, SetupColumns& columns) {
   const Heads heads = each_of<std::string>(first, &Field::text);
@@ -111,10 +127,21 @@ SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
   std::map<std::size_t, Column> by_parameter;
   SetupColumns columns;
   std::size_t values = 0;
+  // A run sheet has "slot_1 Step" beside its own column step, which is never the parameter.
+  const Heads heads = each_of<std::string>(first, &Field::text);
+  const bool is_planned = shape_of(heads) == SheetShape::steps ||
+                          std::ranges::any_of(heads, [&](const std::string& head) {
+                            const auto headed = headed_parameter(*finder.model(), head);
+                            return headed && headed->by_slot;
+                          });
+  std::map<std::size_t, std::size_t> missing;  // by parameter: the column that only looks like it
   for (std::size_t i = 0; i < first.size(); ++i) {
     const std::string& head = first[i].text;
     values += finder.find(head) ? 1U : 0U;
-    if (const auto headed = headed_parameter(*finder.model(), head)) {
+    const auto headed = headed_parameter(*finder.model(), head);
+    if (headed && !headed->by_slot && is_planned && own_value_head(head)) {
+      missing.emplace(headed->parameter, i);
+    } else if (headed) {
       const auto [known, is_new] =
           by_parameter.emplace(headed->parameter, Column{i, headed->by_slot});
       if (!is_new && headed->by_slot && !known->second.by_slot) {
@@ -122,7 +149,12 @@ SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
       }
     }
   }
-  std::vector<std::size_t> of_column(first.size(), by_parameter.size());
+  const auto lost = std::ranges::find_if(
+      missing, [&](const auto& each) { return by_parameter.count(each.first) == 0; });
+  if (lost != missing.end()) {
+    columns.lost = SetupColumns::Lost{.parameter = lost->first, .column = lost->second};
+  }
+  std::vector<std::size_t> of_column(first.size());
   for (const auto& [parameter, column] : by_parameter) {
     of_column[column.at] = parameter;
     columns.slots.push_back(column.at);
@@ -215,7 +247,10 @@ SheetShape shape_of(const Heads& heads) {
   const bool has_setups = std::ranges::any_of(heads, heads_a_setup);
   const bool are_planned =
       step_column(heads) && std::ranges::any_of(heads, is_own(&OwnHead::is_planned));
-  if (has_setups && (has_figures || are_planned)) {
+  // The columns of a model have its own heads; beside figures and results they need no others.
+  const bool is_filled_in =
+      step_column(heads) && first_column(heads, {}, heads_results).has_value();
+  if ((has_setups || is_filled_in) && (has_figures || are_planned)) {
     return SheetShape::steps;
   }
   return has_setups && first_column(heads, {}, heads_results) ? SheetShape::done

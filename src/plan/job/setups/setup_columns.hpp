@@ -24,6 +24,12 @@ struct SetupColumns {
   std::optional<std::size_t> notes;
   std::optional<std::size_t> bench;
   bool header = false;  // the first row is a header
+
+  struct Lost {
+    std::size_t parameter = 0;
+    std::size_t column = 0;
+  };
+  std::optional<Lost> lost;  // a parameter without a column, and one of ours with its name
 };
 
 /// The columns below this row, if it is a header. Words of heads that are names of parts count only

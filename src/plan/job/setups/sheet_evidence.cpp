@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "core/contains.hpp"
@@ -160,6 +162,15 @@ void SheetEvidence::take(const Row& row, const DoneRow& done, const FindPart& fi
     first_open_ = open_rows_++ == 0 ? at < row.size() ? row[at] : row.back() : first_open_;
   }
   doubt_figures(row, done, doubt);
+  if (!put_in_ && columns_->parameters.empty() && pairs_ && *pairs_ < row.size() &&
+      done.gone.empty() && !doubt.empty.empty() && is_figure_of_pairs(row[*pairs_].text)) {
+    Figure figure{.pairs = std::stoull(row[*pairs_].text), .empty = {}};
+    for (const std::size_t i : doubt.empty) {
+      const std::size_t at = columns_->slots[i];
+      figure.empty.emplace_back(i, at < row.size() ? row[at] : row.back());
+    }
+    figures_.emplace(done.line, std::move(figure));
+  }
   doubt.put_in = parts_in(row, put_in_, find);
   is_proved_ = is_proved_ || !doubt.put_in.empty();
   const auto lost =
@@ -192,6 +203,66 @@ bool SheetEvidence::is_unexplained(const Doubt& doubt, const DoneList& list, std
     }
   }
   return doubt.put_in.size() > here.setup.size();
+}
+
+// More new pairs than the parts here have that no test before had: an empty cell had a part. Copies
+// of a part are one kind.
+void SheetEvidence::judge_figures(DoneList& list) const {
+  if (figures_.empty()) {
+    return;
+  }
+  std::map<std::string, std::size_t> kinds;
+  std::vector<std::size_t> kind_of;
+  for (std::size_t x = 0; x < finder_->size(); ++x) {
+    const std::string& name = finder_->name(static_cast<Element>(x));
+    const std::size_t mark = name.rfind(" #");
+    const bool is_copy = mark != std::string::npos && finder_->is_name(name.substr(0, mark));
+    kind_of.push_back(
+        kinds.emplace(is_copy ? name.substr(0, mark) : name, kinds.size()).first->second);
+  }
+  const bool has_results = list.has_results();
+  std::set<std::pair<std::string, std::uint64_t>> seen;                      // bench and step
+  std::map<std::string, std::set<std::pair<std::size_t, std::size_t>>> met;  // by bench
+  std::string first;
+  std::uint64_t others = 0;
+  for (const DoneRow& row : list.rows) {
+    if (columns_->step && (!row.step || !seen.emplace(row.bench, *row.step).second)) {
+      continue;  // an own test was not planned, and a copy adds nothing
+    }
+    auto& before = met[row.bench];
+    if (!columns_->step) {
+      before.clear();  // the order is not known
+    }
+    std::uint64_t added = 0;
+    for (const Element x : row.setup) {
+      for (const Element y : row.setup) {
+        const auto pair = std::make_pair(kind_of[x], kind_of[y]);
+        added += pair.first < pair.second && before.insert(pair).second ? 1U : 0U;
+      }
+    }
+    const auto figure = figures_.find(row.line);
+    if (figure == figures_.end() || figure->second.pairs <= added ||
+        (has_results && row.result.empty()) || result_of(row.result) == TestResult::not_run) {
+      continue;
+    }
+    const auto& cells = figure->second.empty;
+    const auto cell =
+        std::ranges::find_if(cells, [&](const auto& each) { return is_used_[each.first]; });
+    if (cell == cells.end()) {
+      continue;
+    }
+    others += first.empty() ? 0U : 1U;
+    first = !first.empty() ? first
+                           : fmt::format(
+                                 "{}: the cell is empty, and the parts here have only {} "
+                                 "of the {} new pairs",
+                                 reader_->place(cell->second), added, figure->second.pairs);
+  }
+  if (!first.empty()) {
+    list.notes.push_back(fmt::format(
+        "{}{}; write the part that was there: what was tested with it does not count", first,
+        others == 0 ? "" : fmt::format(", as in {}", count_of(others, "other row"))));
+  }
 }
 
 // Heads of places whose numbers have a gap, and a list that has too few of them.
@@ -286,6 +357,7 @@ void SheetEvidence::judge(DoneList& list) const {
     }
   }
   emptied_.judge(list, *finder_, *reader_);
+  judge_figures(list);
   if (some != nullptr) {
     list.notes.push_back(fmt::format(
         "{}: {}{}; what a test lacks does not count with it: write it in its column if it was "

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,7 @@ class SheetEvidence {
                                                   const FindPart& find) const;
   void doubt_figures(const Row& row, const DoneRow& done, Doubt& doubt) const;
   [[nodiscard]] bool is_unexplained(const Doubt& doubt, const DoneList& list, std::size_t at) const;
+  void judge_figures(DoneList& list) const;
   void judge_heads(DoneList& list) const;
   void judge_parameters(DoneList& list) const;
 
@@ -71,6 +73,12 @@ class SheetEvidence {
   std::uint64_t open_rows_ = 0;  // with results of a model, without some value
   Field first_open_;             // the first of their empty cells
   std::vector<Doubt> doubts_;
+  // Where nothing says what was put in: by line, the number of new pairs, and an empty cell.
+  struct Figure {
+    std::uint64_t pairs = 0;
+    std::vector<std::pair<std::size_t, Field>> empty;
+  };
+  std::map<std::uint64_t, Figure> figures_;
   EmptiedCells emptied_;
 };
 

@@ -104,5 +104,13 @@ TEST(EmptiedCells, AColumnThatIsEmptyIsNoted) {
                                  "emptied, fill it in: its parts do not count"));
 }
 
+TEST(EmptiedCells, AnOwnTestBetweenOthersIsTaken) {
+  const std::string rows = head + "1,,\"A, B, C\",A,B,C,pass\n";
+  EXPECT_EQ(fault(rows + ",,,D,B,,pass\n2,B,E,A,E,C,pass\n"), "none");
+  // What is emptied is seen all the same.
+  EXPECT_THAT(fault(rows + ",,,D,B,,pass\n2,B,E,A,E,,pass\n"),
+              HasSubstr("d.csv:4:11: the cell is empty, but 'C' is there"));
+}
+
 }  // namespace
 }  // namespace changeover::emptied_cells_test

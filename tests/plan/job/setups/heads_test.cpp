@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "plan/job/setups/setup_columns.hpp"
+#include "some_models.hpp"
 
 namespace changeover::heads_test {
 namespace {
@@ -64,6 +65,22 @@ TEST(Heads, ThatBeginWithASignOfCommentsAreHeads) {
   EXPECT_THAT(read("# of Monday, all of them\nslot_1,slot_2\nA,B\n#C,D\n").setups(),
               ElementsAre(Block{0, 1}));
   EXPECT_THAT(read("slot_1,slot_2\nA,B\n#,slot_1\n").notes, IsEmpty());
+}
+
+TEST(Heads, AColumnOfOursIsNotTheParameterOfItsName) {
+  const Job job = test::job_of_text("Step: 1, 2\nDisk: x, y\n");
+  const auto said = [&](const std::string& text) -> std::string {
+    try {
+      return std::to_string(read_done(*input_from_text(text, "d.csv"), job).rows.size());
+    } catch (const BadInput& bad) {
+      return bad.what();
+    }
+  };
+  EXPECT_EQ(said("step,Disk,new_pairs,result\n1,x,1,pass\n"),
+            "d.csv:1:1: the parameter 'Step' has no column 'slot_1 Step', and this one is not it; "
+            "put that column back");
+  EXPECT_EQ(said("step,slot_1 Step,Disk,new_pairs,result\n1,2,x,1,pass\n"), "1");
+  EXPECT_EQ(said("Step,Disk,result\n1,x,pass\n"), "1") << "a table of one's own";
 }
 
 }  // namespace
