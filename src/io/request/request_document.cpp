@@ -103,7 +103,8 @@ static std::string quoted(const JsonNode& node) {
 
 std::uint64_t RequestDocument::number(const OptionRecord& record, const JsonNode& node) const {
   if (!node.is_natural()) {
-    fail(node, record.key, fmt::format("{} is not a whole number; write one", quoted(node)));
+    fail(node, record.key,
+         fmt::format("{} cannot be read; write a whole number from 0 to 2^64 - 1", quoted(node)));
   }
   return node.natural;
 }

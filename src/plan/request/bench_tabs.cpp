@@ -26,9 +26,10 @@ bool has_result(const DoneRow& row) {
 void take_benches_in_any_case(const std::vector<Bench>& benches, std::vector<DoneList>& lists) {
   for (DoneList& list : lists) {
     for (DoneRow& row : list.rows) {
-      const bool is_unknown = !row.bench.empty() && !find_bench(benches, row.bench);
-      if (const auto bench = is_unknown ? bench_of_tab(benches, row.bench) : std::nullopt) {
-        row.bench = name_of(benches, *bench);
+      for (std::size_t b = 0; !find_bench(benches, row.bench) && b < benches.size(); ++b) {
+        if (lower_case(name_of(benches, b)) == lower_case(row.bench)) {
+          row.bench = name_of(benches, b);
+        }
       }
     }
   }

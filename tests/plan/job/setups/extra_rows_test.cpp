@@ -92,7 +92,7 @@ TEST(ExtraRows, ALineWithASignOfCommentsIsATestIfItHasOne) {
 
 TEST(ExtraRows, HeadsInAnotherCaseAndSumsUnderPartsAreNoTests) {
   EXPECT_THAT(read(head + first + "Step,PUT_IN,Slot_1,slot_2,NEW_PAIRS,Result,seen\n").notes,
-              ElementsAre("d.csv:3:1: skipped, as it is no test: row 3 (the heads again)"));
+              ElementsAre("d.csv:3:1: skipped, as it is not a test: row 3 (the heads again)"));
   const std::string plain = "slot_1,slot_2,result\nA,B,pass\n";
   EXPECT_THAT(fault(plain + "Total:,,pass\n"), HasSubstr("but the row has no set-up"));
   EXPECT_THAT(read(plain + "Sum,,\n").rows.size(), 1U);

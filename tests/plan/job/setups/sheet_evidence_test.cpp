@@ -12,6 +12,7 @@
 namespace changeover::sheet_evidence_test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -177,9 +178,9 @@ TEST(OtherResults, AreNamedOrRefused) {
 TEST(SheetEvidence, FiguresOfAllTestsShowAnEmptiedCell) {
   const std::string slots = "step,slot_1 CPU,slot_2 disk,slot_3 disk,new_pairs,result\n";
   EXPECT_THAT(read(slots + "1,A,B,C,3,pass\n2,A,D,,2,pass\n").notes,
-              ElementsAre("d.csv:3:7: the cell is empty, and the parts here have only 1 of the 2 "
-                          "new pairs; write the part that was there: what was tested with it does "
-                          "not count"));
+              Contains("d.csv:3:7: the cell is empty, and the parts here have only 1 of the 2 "
+                       "new pairs; write the part that was there: what was tested with it does "
+                       "not count"));
   EXPECT_THAT(read(slots + "1,A,B,C,3,pass\n2,A,D,,1,pass\n3,A,E,,2,\n").notes, IsEmpty());
 }
 
