@@ -3,14 +3,14 @@ import type { Diagnosis } from '../../lib/api';
 import { h, type Child } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 
-const name = (fault: readonly string[]) =>
-  fault.length === 1 ? `part ${fault[0]}` : `${fault[0]} with ${fault[1]}`;
+type Name = (fault: readonly string[]) => string;
 
 /** So few explanations are named; of more it is said how many there are. */
 const fewNamed = 2;
 
 function explained(
   label: string,
+  name: Name,
   { left, explanations }: NonNullable<Diagnosis['next']>['if_it_fails'],
 ): HTMLElement {
   const shown = (explanations as unknown as string[][][]).map((each) =>
@@ -67,10 +67,12 @@ function suspectsOf(found: Diagnosis): string[][] {
 }
 
 /** What may be at fault, by the failed test that has it. */
-function suspectsBy(tests: readonly FailedTest[], suspects: string[][]): Child {
+function suspectsBy(tests: readonly FailedTest[], suspects: string[][], name: Name): Child {
   const lists = tests.flatMap(({ name: test, parts }): [string, string[][]][] => {
     const there = suspects.filter((suspect) => suspect.every((part) => parts.includes(part)));
-    return there.length > 0 ? [[`Test ${test} failed. Suspects in it`, there]] : [];
+    return there.length > 0
+      ? [[`${test.charAt(0).toUpperCase()}${test.slice(1)} failed. Suspects in it`, there]]
+      : [];
   });
   const placed = new Set(lists.flatMap(([, there]) => there));
   const rest = suspects.filter((suspect) => !placed.has(suspect));
@@ -93,13 +95,20 @@ export interface FailedTest {
   readonly parts: readonly string[];
 }
 
-/** `add` puts the next test on the sheet, `forbid` the faults into the pairs that must not meet. */
+/**
+ * `words` says what a part is; `add` puts the next test on the sheet, `forbid` the faults into
+ * the pairs that must not meet.
+ */
 export function diagnosisPanel(
   found: Diagnosis,
   failed: readonly FailedTest[],
+  words: (part: string) => string,
   add: () => void,
   forbid: (faults: string[][]) => void,
 ): HTMLElement {
+  const bare = (part: string) => words(part).replace(/^part /, '');
+  const name: Name = (fault) =>
+    fault.length === 1 ? words(fault[0]!) : fault.map(bare).join(' with ');
   const proven = found.faults as unknown as string[][];
   const suspects = suspectsOf(found);
   const { next } = found;
@@ -111,7 +120,7 @@ export function diagnosisPanel(
       ? h('p', {}, h('strong', {}, `At fault, proven: ${proven.map(name).join('; ')}.`))
       : null,
     ...(proven.length > 0 ? [] : whatIsNew(found)),
-    suspects.length > 0 ? suspectsBy(failed, suspects) : null,
+    suspects.length > 0 ? suspectsBy(failed, suspects, name) : null,
     found.contradictions.length > 0
       ? h(
           'p',
@@ -124,13 +133,13 @@ export function diagnosisPanel(
   if (next) {
     body.push(
       h('h3', {}, 'The test that tells most'),
-      h('p', { class: 'set-up' }, next.set_up.join(', ')),
+      h('p', { class: 'set-up' }, next.set_up.map(bare).join(', ')),
       h('p', {}, `${next.why.charAt(0).toUpperCase()}${next.why.slice(1)}.`),
       h(
         'ul',
         {},
-        explained('If it fails', next.if_it_fails),
-        explained('If it passes', next.if_it_passes),
+        explained('If it fails', name, next.if_it_fails),
+        explained('If it passes', name, next.if_it_passes),
       ),
       h(
         'div',

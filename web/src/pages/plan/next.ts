@@ -2,7 +2,7 @@
 // phone beside the bench.
 import { fill, h } from '../../lib/dom';
 import { moneyOf } from './job';
-import { namesOf, step, verdictOf, type Outcome } from './outcome';
+import { namesOf, step, testName, verdictOf, type Outcome } from './outcome';
 import { resultButtons } from './results';
 import { setUp } from './sheet';
 
@@ -19,6 +19,7 @@ export function nextTests(
   const element = h('div', { class: 'next-tests no-print' });
   const names = namesOf(outcome);
   const money = moneyOf(outcome.tests.map(({ cost }) => cost));
+  const named = (i: number) => testName(outcome.tests[i]!, names[i]!);
   function card(i: number): HTMLElement {
     const test = outcome.tests[i]!;
     const { out, in: put } = step(outcome.tests, i, mounted);
@@ -34,11 +35,11 @@ export function nextTests(
       );
     return h(
       'section',
-      { class: 'next-test', 'aria-label': `Next test, ${names[i]}` },
+      { class: 'next-test', 'aria-label': `Next: ${named(i)}` },
       h(
         'h3',
         {},
-        `Next: test ${names[i]} of\u00a0${of} `,
+        `Next: ${named(i)} of\u00a0${of} `,
         h(
           'span',
           { class: 'hint' },

@@ -1,5 +1,5 @@
 // What was planned: tests with their places, costs and results, as the page keeps them.
-import type { Benches, Diagnosis, Plan, Planned } from '../../lib/api';
+import type { Benches, Plan, Planned } from '../../lib/api';
 import { exact, type Job, type Unit } from './job';
 
 /** A place of the bench: its number, and of which slot it is. */
@@ -104,6 +104,11 @@ export function namesOf(outcome: Outcome): string[] {
     counts.set(bench, n);
     return bench === null ? String(n) : `${bench} ${n}`;
   });
+}
+
+/** "test 2", "Bench 1, test 2": a name of namesOf() in a sentence. */
+export function testName({ bench }: Test, name: string): string {
+  return bench === null ? `test ${name}` : `${bench}, test ${name.slice(bench.length + 1)}`;
 }
 
 /**
@@ -311,31 +316,6 @@ export function outcomeOf(
     return ofBenches(planned.benches, job, done, places);
   }
   throw new Error('the server answered no plan');
-}
-
-/** The test that tells most, as the next one of the sheet. */
-export function withNext(outcome: Outcome, next: NonNullable<Diagnosis['next']>): Outcome {
-  const placesNow = [...outcome.places];
-  const places: (string | null)[] = placesNow.map(() => null);
-  for (const { number, part } of next.places) {
-    const i = placesNow.findIndex((place) => place.number === number);
-    if (i >= 0) {
-      places[i] = part;
-    }
-  }
-  const bench = outcome.benches?.find(({ down }) => !down)?.name ?? null;
-  const whole = places.filter(Boolean).length === next.set_up.length;
-  const test: Test = {
-    bench,
-    parts: next.set_up,
-    places: whole ? places : null,
-    cost: next.cost,
-    ...untested,
-  };
-  const open = outcome.tests.findIndex((each) => each.bench === bench && !isDone(each));
-  const tests = [...outcome.tests];
-  tests.splice(open < 0 ? tests.length : open, 0, test);
-  return { ...outcome, tests };
 }
 
 /** A spreadsheet would compute what begins like a formula. */

@@ -13,6 +13,7 @@ import { jobForm } from './form';
 import { headline } from './headline';
 import { JobBox } from './job_box';
 import { emptyJob, exact, lineOf, namesIn, type Job, type Part } from './job';
+import { partWords, withNext } from './insertion';
 import { introduction } from './introduction';
 import { keptHere, keptOnServer } from './keeping';
 import { keptList } from './kept';
@@ -25,8 +26,8 @@ import {
   namesOf,
   onBenches,
   outcomeOf,
+  testName,
   verdictOf,
-  withNext,
   type Outcome,
   type Place,
   type State,
@@ -427,10 +428,13 @@ export class PlanPage {
         diagnosisPanel(
           diagnosis!,
           outcome!.tests.flatMap((test, i) =>
-            verdictOf(test) === 'fail' ? [{ name: namesOf(outcome!)[i]!, parts: test.parts }] : [],
+            verdictOf(test) === 'fail'
+              ? [{ name: testName(test, namesOf(outcome!)[i]!), parts: test.parts }]
+              : [],
           ),
+          partWords(outcome!),
           () => {
-            this.state.outcome = withNext(outcome!, diagnosis!.next!);
+            this.state.outcome = withNext(outcome!, diagnosis!.next!, job);
             this.show();
             void this.keepSheet();
             this.result.querySelector('.next-tests')?.scrollIntoView({ block: 'nearest' });

@@ -25,7 +25,10 @@ function shown({ tests, benches, doneBefore }: Outcome): string {
   return JSON.stringify(benches ? benches.map(({ name }) => [name, of(name)]) : [[null, of(null)]]);
 }
 
-/** A link to the workbook; hidden until the server says that it has this plan and no other. */
+/**
+ * A link to the workbook, hidden until the server says that it has this plan; where the sheet is
+ * another one since, why there is none.
+ */
 export function workbookLink(outcome: Outcome, signal: AbortSignal): HTMLElement | null {
   const { plan: id } = outcome;
   if (id === undefined || id === null) {
@@ -41,9 +44,18 @@ export function workbookLink(outcome: Outcome, signal: AbortSignal): HTMLElement
     },
     'Workbook',
   );
+  const why = h(
+    'span',
+    { class: 'hint', hidden: true },
+    'The workbook is of the plan before a test was added: replan the remaining tests to get one.',
+  );
   get('plan/job', { id }, signal).then(
-    ({ answer }) => (link.hidden = !answer || planned(answer as Planned) !== shown(outcome)),
+    ({ answer }) => {
+      const same = Boolean(answer) && planned(answer as Planned) === shown(outcome);
+      link.hidden = !same;
+      why.hidden = same || !answer;
+    },
     () => undefined, // The server has forgotten the plan, or was restarted.
   );
-  return link;
+  return h('span', { class: 'together' }, link, why);
 }

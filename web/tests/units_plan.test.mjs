@@ -1,0 +1,97 @@
+// The sheet of a plan after a test was added to it.
+//
+//     node --test tests/units_plan.test.mjs
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from './support/source.mjs';
+
+const slots = ['OS', 'Browser', 'Locale'];
+const places = slots.map((slot, i) => ({ number: i + 1, slot }));
+
+function rowOf(parts, cost) {
+  const values = Object.fromEntries(slots.map((slot, i) => [slot, parts[i]]));
+  return { set_up: parts, places: parts, values, cost };
+}
+
+const steps = [
+  rowOf(['Mac', 'Edge', 'en'], 6),
+  rowOf(['Mac', 'Firefox', 'en'], 4),
+  rowOf(['Linux', 'Firefox', 'en'], 4),
+  rowOf(['Linux', 'Edge', 'de'], 5),
+];
+const size = { tests: 4, changes: 7, cost: 19, triples_needed: 0 };
+const rest = {
+  pairs_needed: 9,
+  pairs_tested: 9,
+  cost_unit: null,
+  notes: [],
+  candidates: [],
+  places,
+  budget: null,
+};
+const next = {
+  set_up: ['Linux', 'Edge', 'en'],
+  put_in: ['Linux'],
+  cost: 4,
+  places: ['Linux', 'Edge', 'en'].map((part, i) => ({ number: i + 1, part })),
+};
+
+test('a test added to the sheet of a model has its columns, and costs follow', async () => {
+  const { csv, outcomeOf } = await load('pages/plan/outcome.ts');
+  const { partWords, withNext } = await load('pages/plan/insertion.ts');
+  const { emptyJob } = await load('pages/plan/job.ts');
+  const job = { ...emptyJob(), source: 'model', testCost: 3, changeCost: 1 };
+  const plan = { ...size, ...rest, steps, lower_bound: { cost: 19, reason: 'r' } };
+  const outcome = outcomeOf({ plan }, job, [], []);
+  outcome.tests[0].result = 'fail';
+  const added = withNext(outcome, next, job);
+  assert.equal(
+    csv(added),
+    'step,OS,Browser,Locale,cost,cost_so_far,result,notes\n1,Mac,Edge,en,6,6,fail,\n' +
+      '2,Linux,Edge,en,4,10,,\n3,Mac,Firefox,en,5,15,,\n4,Linux,Firefox,en,4,19,,\n' +
+      '5,Linux,Edge,de,5,24,,\n',
+  );
+  assert.deepEqual([added.cost, added.together, added.changes], [24, 24, 9]);
+  assert.equal(outcome.tests.length, 4);
+  const words = partWords(outcome);
+  assert.deepEqual(['Linux', 'Fan'].map(words), ['OS = Linux', 'part Fan']);
+});
+
+test('on a bench of its own costs, and where hours were planned', async () => {
+  const { outcomeOf } = await load('pages/plan/outcome.ts');
+  const { withNext } = await load('pages/plan/insertion.ts');
+  const { emptyBench, emptyJob } = await load('pages/plan/job.ts');
+  const benches = [
+    { ...emptyBench(), name: 'A', testCost: '10', changeFactor: '2' },
+    { ...emptyBench(), name: 'B' },
+  ];
+  const job = { ...emptyJob(), source: 'model', testCost: 3, changeCost: 1, benches };
+  const timed = steps.slice(0, 2).map((each, i) => ({ ...each, day: 1, hour: 9 + i }));
+  const plan = {
+    ...size,
+    ...rest,
+    objective: 'makespan',
+    makespan: 10,
+    finish: null,
+    lower_bound: { cost: 19, makespan: 9, makespan_reason: 'r', cost_reason: 'r' },
+    sheets: [
+      { name: 'A', down: false, end: 10, steps: timed },
+      { name: 'B', down: false, end: 9, steps: steps.slice(2) },
+    ],
+  };
+  const outcome = outcomeOf({ benches: plan }, job, [], []);
+  outcome.tests[0].result = 'fail';
+  const added = withNext(outcome, next, job);
+  assert.deepEqual(
+    added.tests.map(({ bench, cost, when }) => [bench, cost, when]),
+    [
+      ['A', 6, 'day 1, 9:00'],
+      ['A', 4, undefined],
+      ['A', 14, undefined],
+      ['B', 4, undefined],
+      ['B', 5, undefined],
+    ],
+  );
+  assert.deepEqual([added.benches[0].end, added.cost, added.together], [24, 24, 33]);
+  assert.equal(added.notes.length, 1);
+});
