@@ -97,3 +97,23 @@ test('no letter of docs/theorems.md is lost, as it is written and as it is set',
     assert.ok(text() === wanted, difference(text(), wanted));
   }
 });
+
+test('base blocks have the names of the design, and an origin is told once', async () => {
+  const { indexed, told } = await load('parts/recipe.ts').then(async (recipe) => ({
+    ...recipe,
+    ...(await load('lib/words.ts')),
+  }));
+  const text =
+    'Written down in the catalog as 4.2.1.circular.6.00000000: changeover search 4 2; ' +
+    'changeover 0.1.0; Someone; 2026-11-21. Develop the base blocks {0,3}, {1,2} over 2 copies ' +
+    'of Z_2.';
+  const labels = ['0_0', '1_0', '0_1', '1_1'];
+  assert.equal(
+    told(text, { labels, withoutOrigin: true }),
+    'Develop the base blocks {0_0, 1_1}, {1_0, 0_1} over 2 copies of Z_2.',
+  );
+  assert.equal(told(text), text);
+  const alone = text.slice(0, text.indexOf(' Develop'));
+  assert.equal(told(alone, { withoutOrigin: true }), alone);
+  assert.deepEqual(['∞_0', '1_12', 'a_b', '7'].map(indexed), ['∞₀', '1₁₂', 'a_b', '7']);
+});

@@ -75,3 +75,12 @@ export function percent(part: number, all: number): string {
   const whole = all > 0 ? Math.floor((100 * part) / all) : 100;
   return whole === 0 && part > 0 ? '< 1 %' : `${whole} %`;
 }
+
+const below = '₀₁₂₃₄₅₆₇₈₉';
+
+/** The name of an element, "0_12", with its index below: "0₁₂". As text, for pictures, too. */
+export function indexed(name: string): string {
+  return name.replace(/(?<=[\p{L}\d∞])_(\d+)$/u, (_, index: string) =>
+    [...index].map((digit) => below[Number(digit)]).join(''),
+  );
+}

@@ -1,6 +1,6 @@
 // One cell: what is known of its parameters, why, from whom, since when, and how many designs there
 // are.
-import { ApiError, type Cell, type CellDetail, type Design } from '../lib/api';
+import { ApiError, type Cell, type CellDetail, type Design, type TreeNode } from '../lib/api';
 import { counted } from '../lib/atlas';
 import { work } from '../lib/citations';
 import { fill, h, scroll, type Child } from '../lib/dom';
@@ -509,28 +509,35 @@ export const cell: Page = {
     if (!detail.best) {
       return;
     }
+    // Without it the page is whole all the same.
+    const drawn = detail.best.b <= 20_000 ? designOf(wanted, view.signal).catch(() => null) : null;
+    const named = async (tree: TreeNode): Promise<HTMLElement> => {
+      const ofBaseBlocks = / over \d+ copies of /.test(tree.explanation);
+      return recipeTree(tree, {
+        strength: detail.strength,
+        labels: ofBaseBlocks ? (await drawn)?.labels : undefined,
+        withoutOrigin: detail.designs.length > 0,
+      });
+    };
     const tasks: Promise<void>[] = [
-      explain(wanted, view.signal).then((found) =>
+      explain(wanted, view.signal).then(async (found) =>
         fill(
           recipe,
-          found
-            ? recipeTree(found.tree, detail.strength)
-            : h('p', {}, 'How this design was made is not known.'),
+          found ? await named(found.tree) : h('p', {}, 'How this design was made is not known.'),
         ),
       ),
     ];
-    if (detail.best.b <= 20_000) {
-      // Without the picture the page is whole all the same.
+    if (drawn) {
       tasks.push(
-        designOf(wanted, view.signal).then(
-          (design) => {
-            picture(wanted, design, figure, view.signal);
-            if (frozen) {
-              fill(files, downloads(wanted, design, true));
-            }
-          },
-          () => undefined,
-        ),
+        drawn.then((design) => {
+          if (!design) {
+            return;
+          }
+          picture(wanted, design, figure, view.signal);
+          if (frozen) {
+            fill(files, downloads(wanted, design, true));
+          }
+        }),
       );
     }
     for (const each of await Promise.allSettled(tasks)) {

@@ -56,7 +56,7 @@ function recipeTab(asked: Asked, design: Design, panel: HTMLElement, signal: Abo
         );
         return;
       }
-      fill(place, recipeTree(found.tree, design.strength));
+      fill(place, recipeTree(found.tree, design));
       if (found.tree.inputs.length > 0) {
         void recipePicture(asked, image, signal);
       }

@@ -49,7 +49,40 @@ export function citation(text: string): Child[] {
 
 const isOurs = (text: string): boolean => /^\[docs\/theorems\.md, /.test(text);
 
-function node(tree: TreeNode, strength: number, depth: number): HTMLElement {
+/** How a tree is told. */
+interface Telling {
+  /** Of the design, and of those that it is made of. */
+  strength?: number | undefined;
+  /** What the elements of the design are called, if not 0, 1, 2, …: base blocks are of these. */
+  labels?: readonly string[] | undefined;
+  /** Who found it, and how, stands elsewhere on the page. */
+  withoutOrigin?: boolean;
+}
+
+/** What a design is made by, without its origin if that is told elsewhere and more follows it. */
+export function told(explanation: string, { labels, withoutOrigin }: Telling = {}): string {
+  const text = withoutOrigin
+    ? explanation.replace(/^Written down in the catalog as .*?; \d{4}-\d\d-\d\d\. (?=\S)/, '')
+    : explanation;
+  return text.replace(/Develop the base blocks? .*? over \d+ copies of/g, (all) =>
+    all.replace(/\{(\d+(?:,\d+)*)\}/g, (block, numbers: string) =>
+      labels
+        ? `{${numbers
+            .split(',')
+            .map((x) => labels[Number(x)] ?? x)
+            .join(', ')}}`
+        : block,
+    ),
+  );
+}
+
+function node(tree: TreeNode, telling: Telling, depth: number): HTMLElement {
+  const { strength = 2 } = telling;
+  // Names are those of the whole design.
+  const explanation = told(
+    tree.explanation,
+    depth === 0 ? telling : { ...telling, labels: undefined },
+  );
   const text = h(
     'div',
     { class: 'recipe-node' },
@@ -84,7 +117,7 @@ function node(tree: TreeNode, strength: number, depth: number): HTMLElement {
         h('strong', {}, tree.construction),
       ),
       ': ',
-      reason(tree.explanation),
+      reason(explanation),
     ),
     tree.citation &&
       !/^\[(elementary|src\/.*)\]$/.test(tree.citation) &&
@@ -109,20 +142,19 @@ function node(tree: TreeNode, strength: number, depth: number): HTMLElement {
       h(
         'ul',
         {},
-        tree.inputs.map((each) => node(each, strength, depth + 1)),
+        tree.inputs.map((each) => node(each, telling, depth + 1)),
       ),
     ),
   );
 }
 
-/** `strength`: of the design, and of those that it is made of. */
-export function recipeTree(tree: TreeNode, strength = 2): HTMLElement {
+export function recipeTree(tree: TreeNode, telling: Telling = {}): HTMLElement {
   return h(
     'ul',
     {
       class: 'recipe',
       'aria-label': `How the ${tree.kind} ${changeWord(tree.change)} design is made`,
     },
-    node(tree, strength, 0),
+    node(tree, telling, 0),
   );
 }

@@ -1,6 +1,7 @@
 // What happens from block to block: who enters, who leaves, in which slot of a memory of k, and
 // which pairs are newly covered.
 import type { Design } from '../../lib/api';
+import { indexed } from '../../lib/words';
 
 /** Of how many elements first meetings are kept pair by pair; beyond, pairs are only counted. */
 export const mostMapped = 512;
@@ -47,7 +48,7 @@ export class Steps {
     this.v = v;
     this.b = blocks.length;
     this.k = blocks[0]?.length ?? 0;
-    this.names = labels ?? Array.from({ length: v }, (_, i) => String(i));
+    this.names = labels?.map(indexed) ?? Array.from({ length: v }, (_, i) => String(i));
     this.flat = Int32Array.from(blocks.flat());
     this.first = v <= mostMapped ? new Int32Array(v * v) : null;
     this.pairs = v <= mostCounted ? new Int32Array(this.b + 1) : null;
