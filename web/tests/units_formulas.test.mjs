@@ -22,6 +22,13 @@ test('formulas in text: what is mathematics and what is not', async () => {
     ['3-subsets of a v-set, end to end', '3-subsets of a v-set, end to end'],
     ['an element x of B_{i+1}', 'an element ⟦x⟧ of ⟦B_{i+1}⟧'],
     ['2*n1 + n2 <= 3k', '⟦2\\cdot n_{1}+n_{2}\\le 3k⟧'],
+    ['d ≡ e ≢ 0', '⟦d\\equiv e\\not\\equiv 0⟧'],
+    ['x − a with a in A', '⟦x-a⟧ with ⟦a⟧ in ⟦A⟧'],
+    [
+      'in a block. A further one has A in common, A+1 too',
+      'in a block. A further one has ⟦A⟧ in common, ⟦A+1⟧ too',
+    ],
+    ['1, 2, …, v of 3, 4', '⟦1,\\, 2,\\, \\dots ,\\, v⟧ of 3, 4'],
     ['put ∞_s into blocks', 'put ⟦\\infty _{s}⟧ into blocks'],
     ['DCCD(61,4)', '⟦\\mathrm{DCCD}(61,4)⟧'],
     ['A = {0, 1, …, n−1} ⊂ Z_v', '⟦A=\\{0,\\, 1,\\, \\dots ,\\, n-1\\}\\subset Z_{v}⟧'],
@@ -88,4 +95,14 @@ test('a formula that stands alone ends its lines between parts, never in bracket
   ]);
   assert.deepEqual(shown('min_x (p + q, r)'), ['min_x (p + q, r)']);
   assert.equal(partsOf('min_x (p)')[0][0].tex, '\\min_{x} (p)');
+});
+
+test('fractions of formulas that stand alone', async () => {
+  const { partsOf } = await load('lib/formula.ts');
+  const set = (text) => partsOf(text).map((group) => group.map(({ tex }) => tex));
+  assert.deepEqual(set('b ≥ (k−1)/2 · (v+1)'), [['b\\ge \\frac{k-1}{2}\\cdot (v+1)']]);
+  assert.deepEqual(set('1 ≥ 2/C(s,t)'), [['1\\ge \\frac{2}{\\tbinom{s}{t}}']]);
+  // Within brackets lines stay low, and products are not cut.
+  assert.deepEqual(set('⌈v/2⌉'), [['\\lceil v/2\\rceil ']]);
+  assert.deepEqual(set('v(v−1)/2'), [['v(v-1)/2']]);
 });

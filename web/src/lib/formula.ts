@@ -1,6 +1,7 @@
 // Mathematics as the program and docs/theorems.md write it (`2*n_j >= 3k`, `B_{i+1}`, `⌈(v−k)/2⌉`),
 // found in plain text and turned into TeX. What is not surely mathematics stays text.
 
+import { depthAt, join } from './formula_tex';
 import { greek, symbols } from './signs';
 
 /** `breaks`: a line may end behind it. */
@@ -16,6 +17,7 @@ const operators = new Set([
   '=',
   '≠',
   '≡',
+  '≢',
   '+',
   '−',
   '-',
@@ -72,11 +74,14 @@ function isNamed(sign: string, before: string, behind: string): boolean {
     (article && /[\d(−+·/]$/.test(before) && /^[,−+·/]/.test(behind)) ||
     (article && /[\d−+·/]$|[=≤≥<>+−·] $/.test(before) && /^(?:$|[,.;:)]| [+−·/] )/.test(behind)) ||
     (sign === 'a' && /\s$/.test(before) && /^[,.;:]/.test(behind)) ||
+    (sign === 'a' && (/[−+·] $/.test(before) || /^ in [A-Z](?!\p{L})/u.test(behind))) ||
+    // No article within a sentence is a capital.
+    (sign === 'A' && (/[\p{Ll},;]\s$/u.test(before) || /^[+−∖]/.test(behind))) ||
     (sign === 'A' && /^(?:, | and )[A-Z](?!\p{L})/u.test(behind))
   );
 }
 
-interface Token {
+export interface Token {
   kind: 'number' | 'variable' | 'function' | 'design' | 'operator' | 'open' | 'close' | 'comma';
   from: number;
   to: number;
@@ -222,82 +227,12 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
     : null;
 }
 
-/** TeX of tokens: `ceil(…)` and `C(v,2)` as they are set. */
-function join(tokens: readonly Token[], text: string): string {
-  let tex = '';
-  for (let i = 0; i < tokens.length; ++i) {
-    const token = tokens[i]!;
-    const next = tokens[i + 1];
-    const binomial =
-      token.kind === 'variable' &&
-      token.sign === 'C' &&
-      token.to - token.from === 1 &&
-      next?.sign === '(' &&
-      next.from === token.to;
-    const rounded = token.kind === 'function' && (token.sign === 'ceil' || token.sign === 'floor');
-    if ((binomial || rounded) && next) {
-      const end = closing(tokens, i + 1);
-      if (end > 0) {
-        const inside = tokens.slice(i + 2, end);
-        const comma = inside.findIndex(
-          (each, at) => each.sign === ',' && depthAt(inside, at) === 0,
-        );
-        if (rounded) {
-          const [open, close] =
-            token.sign === 'ceil' ? ['\\lceil ', '\\rceil '] : ['\\lfloor ', '\\rfloor '];
-          tex += `${open}${join(inside, text)}${close}`;
-          i = end;
-          continue;
-        }
-        if (comma > 0) {
-          tex +=
-            `\\tbinom{${join(inside.slice(0, comma), text)}}{` +
-            `${join(inside.slice(comma + 1), text)}}`;
-          i = end;
-          continue;
-        }
-      }
-    }
-    if (token.kind === 'function' && tex !== '' && i > 0) {
-      tex += ' ';
-    }
-    tex += token.tex;
-    const gap = next ? text.slice(token.to, next.from) : '';
-    if (gap.length >= 2 && !gap.includes('\n')) {
-      tex += '\\quad ';
-    } else if (token.kind === 'comma' && token.sign !== ':') {
-      tex += gap === '' ? '' : '\\, ';
-    }
-  }
-  return tex;
-}
-
-function closing(tokens: readonly Token[], open: number): number {
-  let depth = 0;
-  for (let i = open; i < tokens.length; ++i) {
-    depth += tokens[i]!.kind === 'open' ? 1 : tokens[i]!.kind === 'close' ? -1 : 0;
-    if (depth === 0) {
-      return i;
-    }
-  }
-  return -1;
-}
-
-function depthAt(tokens: readonly Token[], at: number): number {
-  return tokens
-    .slice(0, at)
-    .reduce(
-      (depth, each) => depth + (each.kind === 'open' ? 1 : each.kind === 'close' ? -1 : 0),
-      0,
-    );
-}
-
-/** A text that is a formula as a whole; words in it stay words. */
-export function texOf(formula: string): string {
+/** A text that is a formula as a whole; words in it stay words. `high`: with fractions. */
+export function texOf(formula: string, high = false): string {
   let tex = '';
   let tokens: Token[] = [];
   const flush = (): void => {
-    tex += join(tokens, formula);
+    tex += join(tokens, formula, high);
     tokens = [];
   };
   for (let i = 0; i < formula.length;) {
@@ -355,7 +290,7 @@ export function partsOf(formula: string): { tex: string; text: string }[][] {
       continue;
     }
     depth += token.kind === 'open' ? 1 : token.kind === 'close' ? -1 : 0;
-    if (token.kind === 'operator' && depth === 0 && last && last !== 'word') {
+    if (token.kind === 'operator' && token.sign !== '/' && depth === 0 && last && last !== 'word') {
       if (last.kind !== 'operator') {
         (relations.has(token.sign) ? cuts.relations : cuts.sums).push(i);
       }
@@ -375,7 +310,7 @@ export function partsOf(formula: string): { tex: string; text: string }[][] {
       )
       .map(([from, to]) => {
         const text = formula.slice(from, to);
-        return { tex: `${from > start ? '{}' : ''}${texOf(text)}`, text };
+        return { tex: `${from > start ? '{}' : ''}${texOf(text, true)}`, text };
       }),
   );
 }
@@ -428,7 +363,7 @@ function trimmed(tokens: Token[]): Token[] {
   }
 }
 
-const relations = new Set(['=', '≤', '≥', '<=', '>=', '<', '>', '≡', '≠']);
+const relations = new Set(['=', '≤', '≥', '<=', '>=', '<', '>', '≡', '≢', '≠']);
 const sums = new Set(['+', '−', '-', '·', '*']);
 /** Longer formulas, in letters, are set in parts, between which lines can end. */
 const longest = 24;
@@ -526,6 +461,11 @@ export function pieces(text: string): Piece[] {
           token.kind === 'design' ||
           token.kind === 'open') &&
         !(last.kind === 'comma' && (depth > 0 || tokens.at(-2)?.sign === '…')) &&
+        !(
+          last.kind === 'comma' &&
+          tokens.at(-2)?.kind === 'number' &&
+          /^\d+(?:, \d+)*, …/.test(text.slice(at + gap))
+        ) &&
         token.sign !== '…' &&
         last.sign !== '…' &&
         !greek[last.sign]?.includes('sum')

@@ -10,6 +10,7 @@ export const symbols: Record<string, string> = {
   '=': '=',
   '≠': '\\ne ',
   '≡': '\\equiv ',
+  '≢': '\\not\\equiv ',
   '+': '+',
   '−': '-',
   '-': '-',

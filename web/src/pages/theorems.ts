@@ -14,6 +14,9 @@ import { thumbnail } from '../parts/thumbnail';
 import { link, problem, type Page, type View } from '../shell/router';
 import { circlePicture } from './design/circle';
 
+/** As a reader looks for them: by their authors, or else their titles. */
+const inOrder = [...cited].sort(([, one], [, other]) => one.localeCompare(other, 'en'));
+
 /** Links of docs/theorems.md, and constructions that it names, in these pages. */
 function inPages(constructions: ReadonlySet<string>): (to: string) => string | null {
   return (to) => {
@@ -479,9 +482,14 @@ export const theorems: Page = {
           h('div', { class: 'constructions' }, articles),
           h('h2', { id: 'references', tabindex: -1 }, 'References'),
           h(
+            'p',
+            { class: 'hint' },
+            'In brackets behind a work: its key, by which the program and its files cite it.',
+          ),
+          h(
             'ul',
             { class: 'references' },
-            cited.map(([key, text, url]) =>
+            inOrder.map(([key, text, url]) =>
               h(
                 'li',
                 {
