@@ -117,3 +117,14 @@ test('base blocks have the names of the design, and an origin is told once', asy
   assert.equal(told(alone, { withoutOrigin: true }), alone);
   assert.deepEqual(['∞_0', '1_12', 'a_b', '7'].map(indexed), ['∞₀', '1₁₂', 'a_b', '7']);
 });
+
+test('a search for base blocks that found none says so plainly', async () => {
+  const { plainly } = await load('pages/search/words.ts');
+  const said = (why, tried, none) =>
+    plainly(
+      `No base blocks found (${why}): of ${tried} tried the SAT solver says none exist in ${none}.`,
+    );
+  assert.match(said('exhausted', '3 shapes', 3), /All that fit, 3 shapes, were tried: for each a/);
+  assert.match(said('time limit', '1 shape', 0), /1 shape was tried before .* none was decided/);
+  assert.equal(plainly('something else'), 'something else');
+});

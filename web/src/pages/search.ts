@@ -182,7 +182,7 @@ async function render(view: View): Promise<void> {
   const known = h('p', { class: 'hint search-known', role: 'status' });
   const fault = h('div', {});
   const stream = h('p', { class: 'hint stream', role: 'status' });
-  const list = jobList((id) => choose(id, true));
+  const list = jobList((id) => (choose(id, true), fillIn(id)));
   const place = h('div', {});
   const before = beginning();
   const states = new Map<string, SearchJob['state']>();
@@ -299,10 +299,28 @@ async function render(view: View): Promise<void> {
     );
   }
 
+  /** The searches as they were last asked for. */
+  let asked: readonly SearchJob[] = [];
+  /** The form says what the search is of, so that it can be begun again or changed. */
+  function fillIn(id: string): void {
+    const job = asked.find((each) => String(each.id) === id);
+    if (job) {
+      [v.value, k.value] = [String(job.v), String(job.k)];
+      [change.value, kind.value] = [String(job.change), job.kind];
+      [strength.value, way.value] = [String(job.strength), job.way];
+      look();
+    }
+  }
+
   async function refresh(): Promise<void> {
     try {
       const jobs = await get('search', {}, signal);
+      const first = asked.length === 0;
+      asked = jobs;
       list.set(jobs);
+      if (first && chosen !== null && v.value === '' && k.value === '') {
+        fillIn(chosen);
+      }
       jobs.forEach((job) => states.set(String(job.id), job.state));
       const now = jobs.find((job) => String(job.id) === chosen);
       if (now) {

@@ -194,21 +194,20 @@ async function render(view: View): Promise<void> {
         { url: address('verify', { v: v.value, change: change.value, kind: kind.value }), body },
         mine.signal,
       );
+      const head = h('div', { class: 'verify-head' }, headline(report), actions(report, body));
+      const list = report.blocks.shown ? blockList(report, view) : defects(report);
+      const mended = !report.answer.valid && report.blocks.shown;
       fill(
         result,
+        !mended && head,
         h(
           'div',
-          { class: 'verify-head' },
-          h('div', {}, headline(report), actions(report, body)),
-          !report.answer.valid && report.blocks.shown && mend(report, body),
-        ),
-        h(
-          'div',
-          { class: 'verify-parts' },
-          report.blocks.shown ? blockList(report, view) : defects(report),
+          { class: mended ? 'verify-parts mended' : 'verify-parts' },
+          mended ? h('div', {}, head, list) : list,
           h(
             'div',
             {},
+            mended ? mend(report, body) : null,
             report.answer.valid && citation(report, mine.signal),
             facts(report),
             elementTable(report),

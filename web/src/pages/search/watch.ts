@@ -7,7 +7,7 @@ import { count, nameOf, number } from '../../lib/words';
 import { ladder } from '../../parts/ladder';
 import { plot } from '../../parts/plot';
 import { link, problem } from '../../shell/router';
-import { isNew, rate, result, seconds, size, times, wayWords } from './words';
+import { isNew, plainly, rate, result, seconds, size, times, wayWords } from './words';
 
 export interface Watch {
   readonly element: HTMLElement;
@@ -361,7 +361,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
           ? ''
           : job.message.startsWith('minimum: as many blocks as the lower bound')
             ? job.message.replace(/^minimum: as many blocks as the lower bound(; )?/, '')
-            : job.message;
+            : plainly(job.message);
     message.classList.toggle('problem', job.state === 'failed');
     progress.hidden = !running;
     progress.value = Math.min(1, job.seconds / job.limit);

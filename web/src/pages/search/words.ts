@@ -95,3 +95,31 @@ export function size(kilobytes: number): string {
       ? `${(kilobytes / 1000).toFixed(kilobytes < 10_000 ? 1 : 0)} MB`
       : `${(kilobytes / 1e6).toFixed(1)} GB`;
 }
+
+/** What a search says at its end, in words for who has not read its output. */
+export function plainly(message: string): string {
+  const none =
+    /^No base blocks found \(([^)]*)\): of (\d+) shapes? tried the SAT solver says none exist in (\d+)\.$/.exec(
+      message,
+    );
+  if (!none) {
+    return message;
+  }
+  const [, why, tried, refuted] = none;
+  const all =
+    tried === refuted
+      ? `for ${tried === '1' ? 'it' : 'each'} a SAT solver proved that it gives no design`
+      : refuted === '0'
+        ? 'none was decided'
+        : `for ${refuted} of them a SAT solver proved that it gives no design; the others are open`;
+  const shapes = count(Number(tried), 'shape');
+  const were = tried === '1' ? 'was' : 'were';
+  return (
+    'No base blocks were found. A shape is a number of base blocks and a cyclic group that moves ' +
+    `them. ${
+      why === 'exhausted'
+        ? `All that fit, ${shapes}, ${were} tried`
+        : `${shapes} ${were} tried before the search ended (${why})`
+    }: ${all}.`
+  );
+}
