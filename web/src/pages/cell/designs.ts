@@ -64,6 +64,7 @@ function citation(label: string | null, signal: AbortSignal): [HTMLElement, HTML
 
 function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLElement {
   const { who, date, program, command } = entry.credit;
+  const printed = entry.construction === 'printed';
   const [button, shown] = citation(entry.label, signal);
   return h(
     'li',
@@ -81,10 +82,15 @@ function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLEl
       'p',
       {},
       madeBy(entry.construction),
-      who && ` · ${who}`,
-      program && ` · ${program}`,
+      // Of a printed design the works are the source, and who put it down only entered it.
+      who && !printed && ` · ${who}`,
+      program && !printed && ` · ${program}`,
       entry.cites.length > 0 &&
-        [' · from ', entry.cites.map((key, i) => [i > 0 ? ', ' : '', work(key)]).flat()].flat(),
+        [
+          printed ? ': ' : ' · from ',
+          entry.cites.map((key, i) => [i > 0 ? ', ' : '', work(key)]).flat(),
+        ].flat(),
+      printed && who && ` · Entered by ${who}${program && ` with ${program}`}`,
     ),
     command && h('p', {}, h('code', {}, command)),
     entry.note && h('p', { class: 'hint' }, reason(entry.note)),

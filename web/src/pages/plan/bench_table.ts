@@ -19,7 +19,7 @@ export function benchTable(touched: () => void): ReturnType<typeof rowsTable<Ben
         key: 'without',
         title: 'cannot have',
         label: 'Parts that cannot be on bench',
-        hint: 'Parts that cannot be mounted there',
+        hint: 'Parts that cannot be mounted there; of a model values that it cannot have',
       },
       {
         key: 'start',

@@ -259,6 +259,13 @@ export function jobForm(
     field('Set-ups to run first, one a line', first),
     check(trustFailed, 'What met only in failed tests counts as tested'),
   );
+  const benchParts = h(
+    'span',
+    {},
+    'In the parts list, “how many” says how many there are of a part; a part is on one bench at ' +
+      'a time.',
+  );
+  const benchValues = h('span', { hidden: true }, 'A bench “cannot have” values of the model.');
   const severalBenches = group(
     'benches',
     'Several benches',
@@ -274,9 +281,9 @@ export function jobForm(
     h(
       'p',
       { class: 'hint' },
-      'A card for each bench, with what is different there; a new one begins with its name. In ' +
-        'the parts list, “how many” says how many there are of a part; a part is on one bench at ' +
-        'a time. Of a model, “without” names values.',
+      'A card for each bench, with what is different there; a new one begins with its name. ',
+      benchParts,
+      benchValues,
     ),
     h(
       'div',
@@ -307,7 +314,7 @@ export function jobForm(
     h(
       'div',
       { class: 'row' },
-      field('Make it', objective),
+      field('Aim of several benches', objective),
       field('Hours of work a day', hours),
       field('First day', firstDay),
       check(weekends, 'Weekends too'),
@@ -374,7 +381,7 @@ export function jobForm(
       'div',
       { class: 'row' },
       h('button', { type: 'button', class: 'plain', onclick: pickFile }, 'Open a file …'),
-      field('Make it', aim, 'of several benches: there'),
+      field('Aim', aim, 'several benches have their own, below'),
     ),
   );
   const choices = (['parts', 'model'] as const).map((name) => {
@@ -395,6 +402,9 @@ export function jobForm(
     choices.forEach(([input]) => (input.checked = input.value === next));
     partsSection.hidden = next !== 'parts';
     modelSection.hidden = next !== 'model';
+    benchParts.hidden = next !== 'parts';
+    benchValues.hidden = next !== 'model';
+    benches.element.classList.toggle('of-model', next === 'model');
     atOnceField.hidden = next !== 'parts';
     replacing.querySelector('.group-name')!.textContent =
       next === 'parts' ? 'Costs by what is replaced' : 'Costs of values';
