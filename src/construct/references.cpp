@@ -79,6 +79,32 @@ std::vector<std::string> families(std::string authors) {
   return names;
 }
 
+// "Chafee, Amanda Lynn and Stevens, Brett": "A. L. Chafee and B. Stevens".
+std::string listed_authors(std::string authors) {
+  constexpr std::string_view between = " and ";
+  std::vector<std::string> names;
+  for (authors += between; !authors.empty();) {
+    const std::size_t end = authors.find(between);
+    const std::string name = authors.substr(0, end);
+    authors.erase(0, end + between.size());
+    const std::size_t comma = name.find(", ");
+    std::string initials;
+    for (std::size_t at = comma; at < name.size(); at = name.find(' ', at + 1)) {
+      const std::size_t first = name.find_first_not_of(", ", at);
+      const bool ascii = static_cast<unsigned char>(name[first]) < 0x80;
+      initials += name.substr(first, ascii ? 1 : 2) + ". ";
+      at = first;
+    }
+    names.push_back(initials + name.substr(0, comma));
+  }
+  std::string words = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const bool last = i + 1 == names.size();
+    words += names[i] == "others" ? " et al." : (last ? " and " : ", ") + names[i];
+  }
+  return words;
+}
+
 }  // namespace
 
 std::string spoken_work(const std::string& key) {
@@ -105,15 +131,22 @@ std::string title_of_work(const std::string& key) { return field(bibtex_of(key),
 std::string written_work(const std::string& key) {
   const std::string entry = bibtex_of(key);
   std::string words;
-  for (const std::string_view name : {"author", "title", "journal", "booktitle", "school"}) {
-    const std::string part = field(entry, name);
+  // A work that is known from others only has no title: its note says what it is.
+  const char* const named = field(entry, "title").empty() ? "note" : "title";
+  for (const std::string_view name : {"author", named, "journal", "booktitle", "school"}) {
+    const std::string given = field(entry, name);
+    const bool people = name == "author" && !given.empty();
+    const std::string part = people ? listed_authors(given) : given;
     words += part.empty() ? "" : (words.empty() ? "" : words.ends_with('.') ? " " : ". ") + part;
   }
   for (const std::string_view name : {"volume", "year"}) {
     const std::string part = field(entry, name);
     words += part.empty() ? "" : (name == "year" ? ", " : " ") + part;
   }
-  const std::string pages = field(entry, "pages");
+  std::string pages = field(entry, "pages");
+  if (const std::size_t dash = pages.find("--"); dash != std::string::npos) {
+    pages.replace(dash, 2, "–");
+  }
   words += pages.empty() ? "" : ", pages " + pages;
   return words;
 }

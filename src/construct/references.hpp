@@ -16,8 +16,8 @@ namespace changeover {
 /// The title of a work; empty if the key is not there or its work has none.
 [[nodiscard]] std::string title_of_work(const std::string& key);
 
-/// "Chafee, Amanda Lynn and Stevens, Brett. Recursive and Cyclic …. Journal of …, 2025": a line of a
-/// list of references; empty if the key is not there.
+/// "A. L. Chafee and B. Stevens. Recursive and Cyclic …. Journal of …, 2025": a line of a list of
+/// references, with the note of a work that has no title; empty if the key is not there.
 [[nodiscard]] std::string written_work(const std::string& key);
 
 /// Where a work can be read: its DOI, its preprint or its page; empty if none is known.

@@ -7,11 +7,15 @@ namespace {
 
 TEST(WrittenWork, IsALineOfAListOfReferences) {
   EXPECT_EQ(written_work("ChafeeStevens2025"),
-            "Chafee, Amanda Lynn and Stevens, Brett. Recursive and Cyclic Constructions for "
+            "A. L. Chafee and B. Stevens. Recursive and Cyclic Constructions for "
             "Double-Change Covering Designs. Journal of Combinatorial Designs, 2025");
   EXPECT_EQ(written_work("McSorley1999"),
-            "McSorley, John P. Single-Change Circular Covering Designs. Discrete Mathematics "
+            "J. P. McSorley. Single-Change Circular Covering Designs. Discrete Mathematics "
             "197/198, 1999");
+  EXPECT_TRUE(
+      written_work("PreeceEtAl1995").ends_with("Utilitas Mathematica 47, 1995, pages 55–84"))
+      << written_work("PreeceEtAl1995");
+  EXPECT_TRUE(written_work("Phillips1999").starts_with("N. C. K. Phillips et al. "));
   EXPECT_EQ(written_work("Nobody1900"), "");
 }
 

@@ -12,6 +12,24 @@
 namespace changeover::cli {
 namespace {
 
+// "Found by A. B. with changeover search …, changeover 1.0, 2026-11-21"; of a printed design the
+// publication is the source, and somebody entered it.
+std::string found_words(const CatalogEntry& entry) {
+  const Credit& credit = entry.credit;
+  const bool printed = entry.recipe.construction == "printed";
+  std::string words;
+  if (!credit.who.empty()) {
+    words = (printed ? "Entered by " : "Found by ") + credit.who;
+    words += credit.command.empty() ? "" : " with " + credit.command;
+  } else {
+    words = credit.command.empty() ? "" : "Found with " + credit.command;
+  }
+  for (const std::string& part : {credit.program, credit.date}) {
+    words += (words.empty() || part.empty() ? "" : ", ") + part;
+  }
+  return words;
+}
+
 void draw_it(Dossier& dossier) {
   constexpr std::uint64_t most_points = 60;
   constexpr std::uint64_t most_rows = 80;
@@ -81,6 +99,7 @@ Dossier dossier_of(const ChosenDesign& chosen, const std::optional<CatalogEntry>
   if (entry) {
     dossier.label = entry->label();
     dossier.credit = credit_words(entry->credit);
+    dossier.found = found_words(*entry);
     dossier.keys = references_of(*entry);
     dossier.write_command =
         fmt::format("changeover catalog show {} --format text -o design.txt", dossier.label);

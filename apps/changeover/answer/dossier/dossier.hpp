@@ -31,6 +31,7 @@ struct Dossier {
   std::string certificate;  ///< how the program verified it
   std::string label;        ///< in the catalog; empty if it is not there
   std::string credit;       ///< of that entry
+  std::string found;        ///< the same as a sentence without its end: who found it, and how
   Checksum checksum = {};   ///< of the blocks, as labels have it
   KnownBounds known;        ///< every lower bound; what publications report
   std::vector<RecipeStep> steps;

@@ -101,9 +101,8 @@ void say_construction(const Dossier& dossier, Form& form) {
   }
   form.end_of_items();
   if (!dossier.label.empty()) {
-    form.paragraph(
-        fmt::format("Catalog label {}. {}", dossier.label,
-                    dossier.credit.empty() ? "" : "Credit of its blocks: " + dossier.credit + "."));
+    form.paragraph(fmt::format("Catalog label {}. {}", dossier.label,
+                               dossier.found.empty() ? "" : dossier.found + "."));
   }
   for (const std::string& key : reporters_of(dossier.parameters, dossier.b)) {
     form.paragraph(fmt::format("A design with as few blocks was reported before, in [{}].", key));
@@ -308,6 +307,8 @@ constexpr std::string_view style = R"(
   summary { cursor: pointer; }
   figure { margin: 1.5rem 0; text-align: center; }
   figure svg { max-width: 100%; height: auto; }
+  .picture { overflow-x: auto; border-radius: .3rem; }
+  @media screen and (max-width: 40rem) { .picture svg { max-width: none; width: 44rem; } }
   figcaption { font-size: .9rem; }
   @media print {
     body { margin: 0; max-width: none; font-size: 10pt; } .blocks { white-space: pre-wrap; } }
@@ -339,11 +340,12 @@ class Html final : public Form {
     text += fmt::format("<pre class=\"blocks\">{}</pre>\n", html_text(lines_of(*dossier.design)));
   }
   void picture(const Dossier& dossier) override {
-    text += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
-                        svg(*dossier.picture, Theme::light), html_text(dossier.picture_says));
+    text += fmt::format(
+        "<figure>\n<div class=\"picture\" tabindex=\"0\">{}</div><figcaption>{}</figcaption>\n</figure>\n",
+        svg(*dossier.picture, Theme::light), html_text(dossier.picture_says));
   }
   void references(const Dossier& dossier) override {
-    heading("References");
+    heading(keys_.empty() ? "Citation" : "References");
     text += keys_.empty() ? "" : "<ul>\n";
     for (const std::string& key : keys_) {
       text += fmt::format("<li id=\"{}\">{}", html_text(key), html_text(written_work(key)));
@@ -471,6 +473,14 @@ std::string dossier_markdown(const Dossier& dossier) {
 std::string dossier_html(const Dossier& dossier, std::string_view explorer) {
   Html form(dossier, explorer);
   write(dossier, form);
+  if (!explorer.empty()) {
+    const Parameters& cell = dossier.parameters;
+    form.text += fmt::format(
+        "<p><a href=\"{}#/cell?v={}&amp;k={}&amp;change={}&amp;kind={}{}\">What else is known of "
+        "these parameters</a></p>\n",
+        explorer, cell.v, cell.k, cell.change, to_string(cell.kind),
+        cell.strength == 2 ? "" : fmt::format("&amp;strength={}", cell.strength));
+  }
   return html_page("A " + title_of(dossier), style, form.text);
 }
 
