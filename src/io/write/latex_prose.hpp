@@ -18,8 +18,8 @@ namespace changeover {
                                       const std::vector<std::string>& keys = {});
 
 /// The same for a page: signs instead of ">=" and "ceil(", indices below, letters of formulas and
-/// small letters that stand alone in italics. Everything else is text. Markdown, which is also read as it stands, has no italics, and
-/// indices as HTML.
+/// small letters that stand alone in italics. Everything else is text. Markdown, which is also read
+/// as it stands, has no italics, and indices as HTML.
 ///
 ///     html_prose("b >= n_j")    // <i>b</i> ≥ <i>n</i><sub><i>j</i></sub>
 [[nodiscard]] std::string html_prose(std::string_view text);

@@ -113,8 +113,8 @@ PaperItem check_bound_from_2k_3(const PaperContext& context) {
       "the definition (Section 1): \"every pair, S, must occur in at least one block\", and a pair "
       "is covered in a block that has it if the block before does not. In a circular list a pair "
       "of elements that are in every block occurs and is never covered. So the counterexamples "
-      "below are DCCDs as defined. If each pair had to be covered, they would not be, and the bound "
-      "would hold for every v. For v >= 2k-3 it holds in both readings");
+      "below are DCCDs as defined. If each pair had to be covered, they would not be, and the "
+      "bound would hold for every v. For v >= 2k-3 it holds in both readings");
   check.note(fmt::format(
       "below, a design with fewer than ceil(g2) blocks is built for {} of the {} pairs (v,k) with "
       "k+2 <= v < 2k-3 and k <= {}. So what fails needs one more condition: v >= 2k-3 for Theorem "

@@ -49,8 +49,8 @@ class ChoiceSolver {
   std::vector<Literal> preferred_;
 };
 
-/// cannot_meet() for jobs of a model. Calls the solver at most once per value and once per pair, and
-/// not for pairs in set-ups found before. @throws Stopped as ChoiceSolver::completed()
+/// cannot_meet() for jobs of a model. Calls the solver at most once per value and once per pair,
+/// and not for pairs in set-ups found before. @throws Stopped as ChoiceSolver::completed()
 [[nodiscard]] PairSet apart_in_choices(const Job& job);
 
 /// Those of the triples that can be in one set-up; likewise.

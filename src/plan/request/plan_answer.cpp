@@ -62,10 +62,10 @@ void diagnose_results(const CheckedJobRequest& asked, PlanAnswer& answer) {
     throw BadInput(
         asked->unread == 0
             ? asked->done_from + ": no result says pass or fail; fill in the column result"
-            : fmt::format(
-                  "{}: {} is neither pass nor fail, and no other row has a result; write "
-                  "pass or fail",
-                  asked->first_unread.front().place, shown(asked->first_unread.front().text)));
+            : fmt::format("{}: {} is neither pass nor fail, and no other row has a result; write "
+                          "pass or fail",
+                          asked->first_unread.front().place,
+                          shown(asked->first_unread.front().text)));
   }
   constexpr std::size_t most_looked_at = 8;
   const std::vector<std::size_t> benches =

@@ -28,10 +28,10 @@ class EmptiedCells {
   void take(const DoneRow& done, const std::vector<Field>& cells, Changes changes);
 
   /// Once all rows are in their order. A part that is in the place of an empty cell in the test
-  /// before, and is not taken out, or in the test after, and is not put in, was there. Only the step
-  /// before and the step after say so; without numbers both have to. Where nothing says what is
-  /// taken out, a note names the cell of a part that is there before and after. For a model, a value
-  /// that is put in takes out that of its parameter. O(rows · log rows · places)
+  /// before, and is not taken out, or in the test after, and is not put in, was there. Only the
+  /// step before and the step after say so; without numbers both have to. Where nothing says what
+  /// is taken out, a note names the cell of a part that is there before and after. For a model, a
+  /// value that is put in takes out that of its parameter. O(rows · log rows · places)
   /// @throws BadInput with the cell
   void judge(DoneList& list, const PartFinder& finder, const RowReader& reader) const;
 

@@ -18,8 +18,8 @@ namespace changeover {
 inline constexpr std::uint64_t most_steps = 1'000'000'000'000'000;
 
 /// Puts tests of several sheets, which have rows from each of these on, in the order of their
-/// steps, bench by bench, and returns whether that moved some with results. The order stays for a bench with a
-/// sheet that has no number in its first row, or one twice. O(rows · log rows)
+/// steps, bench by bench, and returns whether that moved some with results. The order stays for a
+/// bench with a sheet that has no number in its first row, or one twice. O(rows · log rows)
 bool put_sheets_in_order(std::vector<DoneRow>& rows, const std::vector<std::size_t>& begins);
 
 class StepNumbers {
