@@ -417,13 +417,13 @@ class Finder {
     return add_positions(cover, one_subset_a_position(design_), count) &&
            put_beside(p_, w_, cover, [&](std::size_t place, Element y) {
              const std::size_t position = cover.subsets[place].position;
-             const std::size_t b = std::max<std::size_t>(design_.block_count(), 1);
+             const std::size_t b = design_.block_count();
              const auto is_in = [y](std::span<const Element> block) {
                return std::ranges::find(block, y) != block.end();
              };
              return !(position > 0 && is_in(design_.block(position - 1))) &&
                     !((position < b || p_.kind == Kind::circular) &&
-                      is_in(design_.block(position % b)));
+                      is_in(design_.block(position < b ? position : 0)));
            });
   }
 

@@ -65,7 +65,7 @@ bool mentions_them(ZipArchive::Member member) {
     if (piece.find(element) != std::string::npos || joint.find(element) != std::string::npos) {
       return true;
     }
-    end_before = (end_before + piece);
+    end_before += piece;
     end_before.erase(0, end_before.size() - std::min(end_before.size(), element.size()));
   }
   return false;

@@ -48,8 +48,8 @@ class PartsLeft {
     return by_pair;
   }
 
-  /// By part of the list, the slot in the job of those that are left; each other one has a number
-  /// of its own. Empty if the job has no slots.
+  /// By part of the list, the slot in the job of those that are left; each other one has a
+  /// separate number. Empty if the job has no slots.
   [[nodiscard]] std::vector<std::uint32_t> slots(const Job& job) const;
 
  private:

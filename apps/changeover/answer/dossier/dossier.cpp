@@ -13,7 +13,7 @@ namespace changeover::cli {
 namespace {
 
 // "Found by A. B. with changeover search …, changeover 1.0, 2026-11-21"; of a printed design the
-// publication is the source, and somebody entered it.
+// publication is the source; who entered it is said after it.
 std::string found_words(const CatalogEntry& entry) {
   const Credit& credit = entry.credit;
   const bool printed = entry.recipe.construction == "printed";
