@@ -322,7 +322,7 @@ class Journal(unittest.TestCase):
         self.assertEqual(self.read(), [(0, 1)])
         with open(self.path, "w") as file:
             file.write("my notes\n")
-        with self.assertRaisesRegex(changeover.BadInput, "no journal"):
+        with self.assertRaisesRegex(changeover.BadInput, "not a journal"):
             _journal.Journal(self.path, self.job)
         with open(self.path) as file:
             self.assertEqual(file.read(), "my notes\n")

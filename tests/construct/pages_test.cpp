@@ -177,7 +177,7 @@ TEST(Pages, WhatWasNotFoundIsStillOpenOrExcluded) {
 TEST(Pages, ReadmeSaysHowManyCellsTheCatalogHas) {
   std::smatch match;
   const std::string page = slurp(top + "README.md");
-  static const std::regex some(R"(of some (\d+),(\d+) cells comes with the program)");
+  static const std::regex some(R"(of some (\d+),(\d+) cells come with the program)");
   ASSERT_TRUE(std::regex_search(page, match, some));
   const std::uint64_t said = std::stoull(match[1]) * 1000 + std::stoull(match[2]);
   EXPECT_EQ((standard_catalog().size().cells + 500) / 1000 * 1000, said);
