@@ -32,7 +32,7 @@ TEST(Dossier, SaysWhatAPaperNeeds) {
        {"$changeover dossier 9 3 --change 1 --format html", 0,
         "[<a href=\"#ChafeeStevens2023\">Chafee and Stevens 2023</a>]"},
        {"$changeover dossier 9 3 --change 1 --format html", 0,
-        "<li id=\"ChafeeStevens2023\">Chafee"},
+        "<li id=\"ChafeeStevens2023\">A. L. Chafee"},
        {"$changeover dossier 9 3 --change 1 --format html", 0, "elements have <i>j</i> stays"},
        {"$changeover dossier 26 6 --change 1 --linear", 0, "63 reported \\[Bean2026\\]"},
        {"$changeover dossier 9 5 --linear", 0, "drat-trim"},

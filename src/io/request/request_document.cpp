@@ -104,7 +104,7 @@ static std::string quoted(const JsonNode& node) {
 std::uint64_t RequestDocument::number(const OptionRecord& record, const JsonNode& node) const {
   if (!node.is_natural()) {
     fail(node, record.key,
-         fmt::format("{} cannot be read; write a whole number from 0 to 2^64 - 1", quoted(node)));
+         fmt::format("write a whole number from 0 to 2^64 - 1, not {}", quoted(node)));
   }
   return node.natural;
 }

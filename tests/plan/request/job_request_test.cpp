@@ -296,7 +296,7 @@ TEST(JobRequest, SaysWhatIsWrongAndWhere) {
       {base + R"("parts":9,"colour":1})", "unknown key 'colour'"},
       {base + R"("parts":9,"parts":8})", "twice"},
       {base + R"("parts":9,"items":8})", "parts means the same"},
-      {base + R"("parts":-1})", "parts: '-1' cannot be read; write a whole number"},
+      {base + R"("parts":-1})", "parts: write a whole number"},
       {base + R"("parts":["a",{"name":"b","price":3}]})", "parts[1]: write \"name\" or"},
       {base + R"("parts":["a",{"name":"b","cost":"x"}]})", "parts[1]: "},
       {base + R"("parts":["a","b\u0007"]})", "parts[1]: control byte"},
@@ -320,14 +320,14 @@ TEST(JobRequest, SaysWhatIsWrongAndWhere) {
       {R"({"parts":9,"at_once":3,"change_cost":1})", "give test_cost"},
       {R"({"parts":9,"at_once":3,"test_cost":1})", "give change_cost"},
       {R"({"parts":9,"at_once":18446744073709551616,"test_cost":1,"change_cost":1})",
-       "at_once: '18446744073709551616' cannot be read; write a whole number"},
+       "at_once: write a whole number"},
   };
   for (const auto& [json, says] : cases) {
     EXPECT_THAT(refusal(json), HasSubstr(says)) << json;
     EXPECT_EQ(refusal(json).find('\n'), std::string::npos) << json;
   }
   EXPECT_THAT(refusal("{\"parts\":9,\n \"at_once\":true}", "job.json"),
-              StartsWith("job.json:2:12: at_once: 'true' cannot be read; write a whole number"));
+              StartsWith("job.json:2:12: at_once: write a whole number"));
 }
 
 TEST(JobRequest, FaultsOfADocumentHaveTheirPlace) {
