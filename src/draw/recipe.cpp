@@ -35,9 +35,8 @@ std::string cited(const Citation& citation, bool whole) {
   for (std::size_t at = place.find(ours); at != std::string::npos; at = place.find(ours)) {
     place.replace(at, ours.size(), "Changeover");
   }
-  std::string words = spoken_work(citation.key);
-  const std::string title = whole ? title_of_work(citation.key) : "";
-  words += title.empty() ? "" : ": " + title;
+  const Work* const work = find_work(citation.key);
+  const std::string words = work == nullptr ? "" : whole ? work->text : work->name;
   return words + (words.empty() || place.empty() ? "" : ", ") + place;
 }
 

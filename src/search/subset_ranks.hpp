@@ -2,6 +2,7 @@
 // colexicographic order.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -36,6 +37,14 @@ class SubsetRanks {
     return rank;
   }
 
+  /// Calls visit(rank) for each t-subset of some elements, in whatever order they are. O(C(k,t))
+  template <typename Visit>
+  void for_each_rank(std::span<const Element> elements, Visit&& visit) const {
+    Block sorted(elements.begin(), elements.end());
+    std::ranges::sort(sorted);
+    descend(sorted, 0, 0, visit);
+  }
+
   /// The subset of that rank, its elements decreasing.
   [[nodiscard]] Block subset(std::uint64_t rank) const {
     Block subset;
@@ -51,6 +60,18 @@ class SubsetRanks {
   }
 
  private:
+  template <typename Visit>
+  void descend(std::span<const Element> rest, std::uint32_t chosen, std::uint64_t rank,
+               Visit& visit) const {
+    if (chosen == t_) {
+      visit(rank);
+      return;
+    }
+    for (; !rest.empty(); rest = rest.subspan(1)) {
+      descend(rest.subspan(1), chosen + 1, rank + choose(rest.front(), chosen + 1), visit);
+    }
+  }
+
   std::uint64_t v_;
   std::uint32_t t_;
   std::vector<std::uint64_t> choose_;  // t+1 rows of v+1

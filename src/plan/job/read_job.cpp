@@ -20,6 +20,7 @@
 #include "plan/job/part_finder.hpp"
 #include "plan/job/parts/heading_words.hpp"
 #include "plan/job/setups/extra_rows.hpp"
+#include "plan/job/setups/first_noted.hpp"
 #include "plan/job/setups/other_results.hpp"
 #include "plan/job/setups/setup_columns.hpp"
 #include "plan/job/setups/setup_list.hpp"
@@ -31,12 +32,10 @@ namespace {
 
 // Whether a column means something.
 bool is_read(const Row& header, std::size_t i, const SetupColumns& columns) {
-  constexpr auto others =
-      std::to_array<std::string_view>({"take_out", "put_in", "set", "new_pairs", "new_triples"});
   const std::string& head = header[i].text;
-  return contains(columns.slots, i) || i == columns.list || i == columns.step ||
-         i == columns.result || i == columns.notes || i == columns.bench || heads_results(head) ||
-         heads_steps(head) || std::ranges::find(others, lower_case(head)) != others.end();
+  const OwnHead* const own = own_head(lower_case(head));
+  return columns.have(i) || heads_results(head) || heads_steps(head) ||
+         (own != nullptr && (own->is_planned || own->counts_new));
 }
 
 // Two columns with the same name cannot be told apart. Those that are of the user's own need not
@@ -83,9 +82,8 @@ void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
 // Cells side by side that were merged keep one value: the others are lost.
 void check_merged(const Row& row, const SetupColumns& columns, const RowReader& reader) {
   for (std::size_t i = 0; i < row.size(); ++i) {
-    const bool is_read = contains(columns.slots, i) || i == columns.list || i == columns.step ||
-                         i == columns.result || i == columns.bench;
-    const auto range = is_read ? reader.merged_with_others(row[i]) : std::nullopt;
+    const auto range =
+        columns.have(i) && i != columns.notes ? reader.merged_with_others(row[i]) : std::nullopt;
     if (range) {
       reader.fail(row[i], fmt::format("the cells {} are merged, so this one is empty; separate "
                                       "them, and write what belongs here",
@@ -205,7 +203,10 @@ class SetupReader {
                          (columns_.list && names_part(*columns_.list));
     const bool begins_with_part = *last == 0 || contains(columns_.slots, std::size_t{0});
     if (is_test && begins_with_part && !names_part(0) && is_part_in(0, row[0].text.substr(1))) {
-      comments_.push_back(row.front().line);
+      comments_.add([&] {
+        const Field begin{.text = {}, .offset = 0, .line = row.front().line};
+        return reader_.place(begin) + ": the row begins with #, so it is a comment";
+      });
       return false;
     }
     return is_test;
@@ -223,13 +224,8 @@ class SetupReader {
   }
 
   void say_what_is_a_comment() {
-    if (!comments_.empty()) {
-      list_.notes.push_back(fmt::format(
-          "{}: the row begins with #, so it is a comment{}; remove the # if the test was run",
-          reader_.place(Field{.text = {}, .offset = 0, .line = comments_.front()}),
-          comments_.size() == 1
-              ? ""
-              : fmt::format(", as with {}", count_of(comments_.size() - 1, "other row"))));
+    if (comments_) {
+      list_.notes.push_back(comments_.said("other row") + "; remove the # if the test was run");
     }
   }
 
@@ -482,8 +478,8 @@ class SetupReader {
   OtherResults other_results_;
   std::optional<SheetEvidence> evidence_;  // of a run sheet with a column for each place
   std::unordered_set<std::string> gone_;
-  std::optional<BadInput> merged_;       // the first cells merged in a row without a result
-  std::vector<std::uint64_t> comments_;  // lines with a test that was commented out
+  std::optional<BadInput> merged_;  // the first cells merged in a row without a result
+  FirstNoted comments_;             // rows with a test that was commented out
   DoneList list_;
 };
 

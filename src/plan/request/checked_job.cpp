@@ -17,9 +17,9 @@
 #include "plan/request/done_tests.hpp"
 #include "plan/request/parts_left.hpp"
 #include "plan/request/question.hpp"
-#include "plan/request/run_workbook.hpp"
 #include "plan/request/values_left.hpp"
 #include "plan/request/whole_question.hpp"
+#include "plan/request/workbook/run_workbook.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
 #include "plan/sheet/clock.hpp"
 

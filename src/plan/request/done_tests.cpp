@@ -15,11 +15,12 @@
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/job/setups/first_noted.hpp"
 #include "plan/job/setups/setup_list.hpp"
 #include "plan/job/setups/step_numbers.hpp"
 #include "plan/request/asked_benches.hpp"
-#include "plan/request/bench_tabs.hpp"
-#include "plan/request/sheets_agree.hpp"
+#include "plan/request/workbook/bench_tabs.hpp"
+#include "plan/request/workbook/sheets_agree.hpp"
 
 namespace changeover {
 namespace {
@@ -299,12 +300,9 @@ class DoneTaker {
 
   // A done test with fewer parts in a slot than every set-up has, where its cells are empty.
   void note_slots_that_lack() {
-    std::size_t others = 0;
-    std::string first;
+    FirstNoted lacking;
     for (const DoneRow& row : list_.rows) {
-      const TestResult said = result_of(row.result);
-      if (said == TestResult::none || said == TestResult::not_run ||
-          row.written.size() != list_.places.size()) {
+      if (!was_run(row.result) || row.written.size() != list_.places.size()) {
         continue;
       }
       for (const Slot& slot : job_->slots) {
@@ -317,20 +315,20 @@ class DoneTaker {
           }
         }
         if (empty && there < slot.least) {
-          others += first.empty() ? 0U : 1U;
-          first = !first.empty() ? first
-                                 : fmt::format(
-                                       "the test in row {} has {} in slot {}, which needs "
-                                       "{}, and an empty cell under slot_{} {}",
-                                       row.line, count_of(there, "part"), slot.name, slot.least,
-                                       list_.places[*empty].number, slot.name);
+          lacking.add([&] {
+            return fmt::format(
+                "{}: the test in row {} has {} in slot {}, which needs {}, and an empty cell under "
+                "slot_{} {}",
+                name_, row.line, count_of(there, "part"), slot.name, slot.least,
+                list_.places[*empty].number, slot.name);
+          });
         }
       }
     }
-    if (!first.empty()) {
-      list_.notes.push_back(fmt::format(
-          "{}: {}{}; write the part that was there: what was tested with it does not count", name_,
-          first, others == 0 ? "" : fmt::format(", as in {}", count_of(others, "other case"))));
+    if (lacking) {
+      list_.notes.push_back(
+          lacking.said("other case") +
+          "; write the part that was there: what was tested with it does not count");
     }
   }
 

@@ -14,7 +14,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "plan/job/bench_jobs.hpp"
-#include "plan/request/workbook_question.hpp"
+#include "plan/request/workbook/workbook_question.hpp"
 #include "plan/search/first_pieces.hpp"
 
 namespace changeover {

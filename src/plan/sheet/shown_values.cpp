@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
+#include "plan/job/setups/setup_columns.hpp"
 #include "plan/model/model_text.hpp"
 
 namespace changeover {
@@ -46,13 +46,8 @@ std::vector<std::string> ShownValues::set_in(std::size_t step) const {
 }
 
 std::string value_head(const Model& model, std::size_t parameter) {
-  constexpr std::array<std::string_view, 11> of_a_sheet{
-      "step", "set",         "take_out", "put_in", "new_pairs", "new_triples",
-      "cost", "cost_so_far", "result",   "notes",  "bench"};
   const std::string& name = model.parameters[parameter].name;
-  const bool taken =
-      name.starts_with("slot_") ||
-      std::ranges::any_of(of_a_sheet, [&](std::string_view head) { return same_word(head, name); });
+  const bool taken = name.starts_with("slot_") || is_head_beside_values(name);
   return taken ? fmt::format("slot_{} {}", parameter + 1, name) : name;
 }
 

@@ -63,15 +63,14 @@ std::string annealing_fault(Work&& work) {
 class CoveredSubsets {
  public:
   explicit CoveredSubsets(const Parameters& p)
-      : t_(p.strength),
-        covered_(counted(p), false),
-        missing_(covered_.size()),
-        ranks_(p.v, p.strength) {}
+      : covered_(counted(p), false), missing_(covered_.size()), ranks_(p.v, p.strength) {}
 
   [[nodiscard]] std::uint64_t missing() const { return missing_; }
 
   void insert(std::span<const Element> block) {
-    for_each_subset(block, [&](std::size_t rank) {
+    ranks_.for_each_rank(block, [&](std::uint64_t subset) {
+      const auto rank = static_cast<std::size_t>(subset);
+      worked(1);
       if (!covered_[rank]) {
         covered_[rank] = true;
         --missing_;
@@ -82,7 +81,10 @@ class CoveredSubsets {
   /// The number of uncovered subsets of the block. O(C(k,t)).
   [[nodiscard]] std::uint64_t gain(std::span<const Element> block) {
     std::uint64_t count = 0;
-    for_each_subset(block, [&](std::size_t rank) { count += covered_[rank] ? 0U : 1U; });
+    ranks_.for_each_rank(block, [&](std::uint64_t rank) {
+      worked(1);
+      count += covered_[static_cast<std::size_t>(rank)] ? 0U : 1U;
+    });
     return count;
   }
 
@@ -117,33 +119,10 @@ class CoveredSubsets {
     }
   }
 
-  template <typename Visit>
-  void for_each_subset(std::span<const Element> block, Visit&& visit) {
-    sorted_.assign(block.begin(), block.end());
-    std::ranges::sort(sorted_);
-    descend(0, 0, 0, visit);
-  }
-
-  template <typename Visit>
-  void descend(std::size_t from, std::uint32_t chosen, std::uint64_t rank, Visit&& visit) {
-    if (chosen == t_) {
-      visit(static_cast<std::size_t>(rank));
-      return;
-    }
-    if (chosen + 1 == t_) {
-      worked(sorted_.size() - from);
-    }
-    for (std::size_t at = from; at < sorted_.size(); ++at) {
-      descend(at + 1, chosen + 1, rank + ranks_.choose(sorted_[at], chosen + 1), visit);
-    }
-  }
-
-  std::uint32_t t_;
   std::vector<bool> covered_;
   std::uint64_t missing_;
   SubsetRanks ranks_;
   std::size_t first_ = 0;
-  Block sorted_;
   std::size_t worked_ = 0;
 };
 

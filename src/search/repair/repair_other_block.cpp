@@ -35,8 +35,8 @@ class OtherBlock {
         times_(static_cast<std::size_t>(binomial(p_.v, p_.strength)), 0) {
     for (std::size_t i = 0; i < list.block_count(); ++i) {
       blocks_.push_back(block_of(list, i));
-      for_each_subset(blocks_[i], [&](const Block&, std::uint8_t& times) {
-        times = static_cast<std::uint8_t>(std::min(times + 1, 2));
+      ranks_.for_each_rank(blocks_[i], [&](std::uint64_t rank) {
+        times(rank) = static_cast<std::uint8_t>(std::min(times(rank) + 1, 2));
       });
     }
     find_uncovered();
@@ -73,31 +73,15 @@ class OtherBlock {
     return difference(one, other).size() == p_.change;
   }
 
-  // Calls visit(subset, how often it is covered: 0, 1, or 2 for more) for each t-subset.
-  template <typename Visit>
-  void for_each_subset(Block block, Visit&& visit) {
-    std::ranges::sort(block);
-    Block subset;
-    descend(block, 0, subset, visit);
-  }
-
-  template <typename Visit>
-  void descend(const Block& block, std::size_t from, Block& subset, Visit&& visit) {
-    if (subset.size() == p_.strength) {
-      visit(std::as_const(subset), times_[static_cast<std::size_t>(ranks_.rank(subset))]);
-      return;
-    }
-    for (std::size_t at = from; at < block.size(); ++at) {
-      subset.push_back(block[at]);
-      descend(block, at + 1, subset, visit);
-      subset.pop_back();
-    }
+  // How often a t-subset is covered: 0, 1, or 2 for more.
+  [[nodiscard]] std::uint8_t& times(std::uint64_t rank) {
+    return times_[static_cast<std::size_t>(rank)];
   }
 
   // The elements of what is covered nowhere; if they are more than k, only some of them.
   void find_uncovered() {
-    for (std::size_t rank = 0; rank < times_.size() && uncovered_.size() <= p_.k; ++rank) {
-      if (times_[rank] == 0) {
+    for (std::uint64_t rank = 0; rank < times_.size() && uncovered_.size() <= p_.k; ++rank) {
+      if (times(rank) == 0) {
         for (const Element x : ranks_.subset(rank)) {
           if (!contains(uncovered_, x)) {
             uncovered_.push_back(x);
@@ -120,9 +104,11 @@ class OtherBlock {
     for (const Element x : uncovered_) {
       is_wanted[x] = true;
     }
-    for_each_subset(given, [&](const Block& subset, std::uint8_t times) {
-      for (std::size_t at = 0; times == 1 && at < subset.size(); ++at) {
-        is_wanted[subset[at]] = true;
+    ranks_.for_each_rank(given, [&](std::uint64_t rank) {
+      if (times(rank) == 1) {
+        for (const Element x : ranks_.subset(rank)) {
+          is_wanted[x] = true;
+        }
       }
     });
     const bool is_last = !is_circular() && i + 1 == blocks_.size();

@@ -4,7 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
-#include "planned_workbook.hpp"
+#include "request/workbook/planned_workbook.hpp"
 #include "run_workbooks.hpp"
 
 namespace changeover::values_left_test {

@@ -348,9 +348,10 @@ class Html final : public Form {
     heading(keys_.empty() ? "Citation" : "References");
     text += keys_.empty() ? "" : "<ul>\n";
     for (const std::string& key : keys_) {
-      text += fmt::format("<li id=\"{}\">{}", html_text(key), html_text(written_work(key)));
-      if (const std::string address = html_text(address_of_work(key)); !address.empty()) {
-        text += fmt::format(". <a href=\"{0}\">{0}</a>", address);
+      const Work& work = *find_work(key);
+      text += fmt::format("<li id=\"{}\">{}", html_text(key), html_text(work.text));
+      if (!work.url.empty()) {
+        text += fmt::format(". <a href=\"{0}\">{0}</a>", html_text(work.url));
       }
       text += "\n";
     }
@@ -389,8 +390,8 @@ class Html final : public Form {
   }
 
   static std::string shown_work(const std::string& key) {
-    const std::string spoken = spoken_work(key);
-    return html_text(spoken.empty() ? key : spoken);
+    const Work* const work = find_work(key);
+    return html_text(work == nullptr ? key : work->name);
   }
 
   // "docs/theorems.md, Theorem 5" or without a number, "stays of Theorem 5"; empty if the text does

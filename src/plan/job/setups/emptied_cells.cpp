@@ -7,6 +7,7 @@
 #include "core/contains.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {
@@ -26,9 +27,7 @@ bool is_set(const Model& model, Element value, const Block& among) {
 }
 
 bool counts(const DoneRow& row, bool has_results) {
-  const TestResult said = result_of(row.result);
-  return has_results ? said != TestResult::none && said != TestResult::not_run
-                     : said != TestResult::not_run;
+  return has_results ? was_run(row.result) : result_of(row.result) != TestResult::not_run;
 }
 
 bool is_next(const DoneRow* one, const DoneRow* other) {
@@ -88,7 +87,7 @@ bool EmptiedCells::is_doubtful(const Neighbours& rows, std::size_t place) const 
 }
 
 void EmptiedCells::judge_row(const Neighbours& rows, const PartFinder& finder,
-                             const RowReader& reader, std::vector<std::string>& doubts) const {
+                             const RowReader& reader, FirstNoted& doubts) const {
   const bool has_steps = rows.here->step.has_value();
   for (const auto& [place, offset] : rows_.at(rows.here->line).empty) {
     const bool before =
@@ -109,8 +108,10 @@ void EmptiedCells::judge_row(const Neighbours& rows, const PartFinder& finder,
     const bool is_between =
         !has_steps || (is_next(rows.above, rows.here) && is_next(rows.here, rows.below));
     if (is_between && is_doubtful(rows, place)) {
-      doubts.push_back(fmt::format("{}: the cell is empty, and {}", reader.place(cell),
-                                   shown(finder.name(*part_in(rows.above, place)))));
+      doubts.add([&] {
+        return fmt::format("{}: the cell is empty, and {} is there in the tests before and after",
+                           reader.place(cell), shown(finder.name(*part_in(rows.above, place))));
+      });
     }
   }
 }
@@ -128,7 +129,7 @@ void EmptiedCells::judge(DoneList& list, const PartFinder& finder, const RowRead
   }
   const bool has_results = list.has_results();
   std::map<std::string, Neighbours> by_bench;
-  std::vector<std::string> doubts;
+  FirstNoted doubts;
   const auto look = [&](const Neighbours& rows) {
     if (rows.here != nullptr && counts(*rows.here, has_results)) {
       judge_row(rows, finder, reader, doubts);
@@ -147,13 +148,8 @@ void EmptiedCells::judge(DoneList& list, const PartFinder& finder, const RowRead
   for (auto& [bench, rows] : by_bench) {
     look({.above = rows.here, .here = rows.below, .below = nullptr});
   }
-  if (!doubts.empty()) {
-    list.notes.push_back(fmt::format(
-        "{} is there in the tests before and after{}; write it here if it was there in this one",
-        doubts.front(),
-        doubts.size() == 1
-            ? ""
-            : fmt::format(", as with {}", count_of(doubts.size() - 1, "other empty cell"))));
+  if (doubts) {
+    list.notes.push_back(doubts.said("other cell") + "; write it here if it was there in this one");
   }
 }
 

@@ -13,6 +13,7 @@
 #include "changeover/plan/job.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/job/setups/first_noted.hpp"
 
 namespace changeover {
 
@@ -46,7 +47,7 @@ class EmptiedCells {
                                 const PartFinder& finder) const;
   [[nodiscard]] bool is_after(const Neighbours& rows, std::size_t place) const;
   void judge_row(const Neighbours& rows, const PartFinder& finder, const RowReader& reader,
-                 std::vector<std::string>& doubts) const;
+                 FirstNoted& doubts) const;
   [[nodiscard]] bool is_own(const DoneRow& row) const;
   [[nodiscard]] bool is_doubtful(const Neighbours& rows, std::size_t place) const;
 

@@ -11,6 +11,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/write/csv_cell.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {
@@ -107,8 +108,7 @@ ExtraRows::Kind ExtraRows::take(const Row& row, const Row& header, const SetupCo
                                          header.front().line));
   }
   const std::string& result = columns.result ? text_at(row, *columns.result) : std::string();
-  const TestResult said = result_of(result);
-  const bool has_result = said != TestResult::none && said != TestResult::not_run;
+  const bool has_result = was_run(result);
   if (is_title(row, finder) && !has_result) {
     return skip(Kind::other, shown(std::ranges::find_if(row, is_filled)->text));
   }

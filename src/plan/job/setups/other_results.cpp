@@ -22,12 +22,8 @@ bool heads_remarks(const std::string& head) {
 }  // namespace
 
 void OtherResults::find(const Row& header, const SetupColumns& columns) {
-  const auto is_taken = [&](std::size_t i) {
-    return i == columns.result || i == columns.notes || i == columns.step || i == columns.bench ||
-           i == columns.list || contains(columns.slots, i);
-  };
   for (std::size_t i = 0; i < header.size(); ++i) {
-    if (is_taken(i) || heads_remarks(header[i].text) ||
+    if (columns.have(i) || heads_remarks(header[i].text) ||
         own_head(lower_case(header[i].text)) != nullptr) {
       continue;
     }

@@ -9,6 +9,7 @@
 #include "changeover/plan/job.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {
@@ -226,6 +227,11 @@ TestResult result_of(std::string_view result) {
   const bool alone = words.size() == 1 && text.find('?') == std::string::npos &&
                      std::ranges::none_of(text, is_digit);
   return alone ? of_one_word(words.front()) : TestResult::unread;
+}
+
+bool was_run(std::string_view result) {
+  const TestResult said = result_of(result);
+  return said != TestResult::none && said != TestResult::not_run;
 }
 
 }  // namespace changeover

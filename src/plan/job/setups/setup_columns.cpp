@@ -9,6 +9,7 @@
 #include "core/words.hpp"
 #include "io/write/csv_cell.hpp"
 #include "plan/job/parts/heading_words.hpp"
+#include "plan/model/model_text.hpp"
 
 namespace changeover {
 
@@ -97,14 +98,6 @@ std::optional<HeadedParameter> headed_parameter(const ModelNames& model, const s
   return found ? std::optional(HeadedParameter{*found, false}) : std::nullopt;
 }
 
-// Whether a parameter of this name has a column "slot_1 Step" on run sheets.
-bool own_value_head(const std::string& head) {
-  constexpr auto beside = std::to_array<std::string_view>(
-      {"step", "set", "take_out", "put_in", "new_pairs", "new_triples", "cost", "cost_so_far",
-       "result", "notes", "bench"});
-  return std::ranges::find(beside, lower_case(head)) != beside.end();
-}
-
 // The columns beside the set-up.
 void find_beside(const Row& first, const std::vector<bool>& taken, SetupColumns& columns) {
   const Heads heads = each_of<std::string>(first, &Field::text);
@@ -139,7 +132,7 @@ SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
     const std::string& head = first[i].text;
     values += finder.find(head) ? 1U : 0U;
     const auto headed = headed_parameter(*finder.model(), head);
-    if (headed && !headed->by_slot && is_planned && own_value_head(head)) {
+    if (headed && !headed->by_slot && is_planned && is_head_beside_values(head)) {
       missing.emplace(headed->parameter, i);
     } else if (headed) {
       const auto [known, is_new] =
@@ -240,6 +233,13 @@ const OwnHead* own_head(std::string_view head) {
   });
   const auto found = std::ranges::find(heads, head, &OwnHead::head);
   return found == heads.end() ? nullptr : &*found;
+}
+
+bool is_head_beside_values(std::string_view name) {
+  constexpr auto beside = std::to_array<std::string_view>(
+      {"step", "set", "take_out", "put_in", "new_pairs", "new_triples", "cost", "cost_so_far",
+       "result", "notes", "bench"});
+  return std::ranges::any_of(beside, [&](std::string_view head) { return same_word(head, name); });
 }
 
 SheetShape shape_of(const Heads& heads) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
+#include "core/contains.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"
 
@@ -24,6 +25,11 @@ struct SetupColumns {
   std::optional<std::size_t> notes;
   std::optional<std::size_t> bench;
   bool header = false;  // the first row is a header
+
+  [[nodiscard]] bool have(std::size_t column) const {
+    return contains(slots, column) || column == list || column == step || column == result ||
+           column == notes || column == bench;
+  }
 
   struct Lost {
     std::size_t parameter = 0;
@@ -56,6 +62,10 @@ struct OwnHead {
 };
 /// That of these words, letter by letter; null for other heads.
 [[nodiscard]] const OwnHead* own_head(std::string_view head);
+
+/// Whether a run sheet has a column of this name, in whatever case, so that a parameter of the name
+/// is headed "slot_1 Step" there.
+[[nodiscard]] bool is_head_beside_values(std::string_view name);
 
 /// What a table is, by its heads alone.
 enum class SheetShape {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "changeover/plan/job.hpp"
@@ -28,6 +29,9 @@ namespace changeover {
 /// Why no list may contain this set-up (of parts of the job, without repetition), without a place;
 /// nullopt if it may.
 [[nodiscard]] std::optional<std::string> setup_defect(const Job& job, const Block& setup);
+
+/// Whether what stands under `result` says that the test was run.
+[[nodiscard]] bool was_run(std::string_view result);
 
 /// What remains mounted of the last set-up that was done if fewer parts fit now: the parts that
 /// stay mounted, and then its first ones. `room` is that of the job if it is not given.

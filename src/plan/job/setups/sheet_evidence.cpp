@@ -159,7 +159,9 @@ void SheetEvidence::take(const Row& row, const DoneRow& done, const FindPart& fi
   }
   if (!columns_->parameters.empty() && !doubt.empty.empty() && !done.result.empty()) {
     const std::size_t at = columns_->slots[doubt.empty.front()];
-    first_open_ = open_rows_++ == 0 ? at < row.size() ? row[at] : row.back() : first_open_;
+    open_.add([&] {
+      return reader_->place(at < row.size() ? row[at] : row.back()) + ": no value is here";
+    });
   }
   doubt_figures(row, done, doubt);
   if (!put_in_ && columns_->parameters.empty() && pairs_ && *pairs_ < row.size() &&
@@ -223,8 +225,7 @@ void SheetEvidence::judge_figures(DoneList& list) const {
   const bool has_results = list.has_results();
   std::set<std::pair<std::string, std::uint64_t>> seen;                      // bench and step
   std::map<std::string, std::set<std::pair<std::size_t, std::size_t>>> met;  // by bench
-  std::string first;
-  std::uint64_t others = 0;
+  FirstNoted lacking;
   for (const DoneRow& row : list.rows) {
     if (columns_->step && (!row.step || !seen.emplace(row.bench, *row.step).second)) {
       continue;  // an own test was not planned, and a copy adds nothing
@@ -251,17 +252,15 @@ void SheetEvidence::judge_figures(DoneList& list) const {
     if (cell == cells.end()) {
       continue;
     }
-    others += first.empty() ? 0U : 1U;
-    first = !first.empty() ? first
-                           : fmt::format(
-                                 "{}: the cell is empty, and the parts here have only {} "
-                                 "of the {} new pairs",
-                                 reader_->place(cell->second), added, figure->second.pairs);
+    lacking.add([&] {
+      return fmt::format(
+          "{}: the cell is empty, and the parts here have only {} of the {} new pairs",
+          reader_->place(cell->second), added, figure->second.pairs);
+    });
   }
-  if (!first.empty()) {
-    list.notes.push_back(fmt::format(
-        "{}{}; write the part that was there: what was tested with it does not count", first,
-        others == 0 ? "" : fmt::format(", as in {}", count_of(others, "other row"))));
+  if (lacking) {
+    list.notes.push_back(lacking.said("other row") +
+                         "; write the part that was there: what was tested with it does not count");
   }
 }
 
@@ -325,11 +324,9 @@ void SheetEvidence::judge_parameters(DoneList& list) const {
         "{}: no column has the values of {}, whose pairs do not count; add one if they were set",
         reader_->place((*header_)[columns_->slots.front()]), joined(without, shown)));
   }
-  if (open_rows_ > 0) {
-    list.notes.push_back(fmt::format(
-        "{}: no value is here{}; what was tested with it does not count: write it if it was set",
-        reader_->place(first_open_),
-        open_rows_ == 1 ? "" : fmt::format(", as in {}", count_of(open_rows_ - 1, "other row"))));
+  if (open_) {
+    list.notes.push_back(open_.said("other row") +
+                         "; what was tested with it does not count: write it if it was set");
   }
 }
 

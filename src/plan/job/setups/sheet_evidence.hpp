@@ -15,6 +15,7 @@
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"
 #include "plan/job/setups/emptied_cells.hpp"
+#include "plan/job/setups/first_noted.hpp"
 #include "plan/job/setups/setup_columns.hpp"
 
 namespace changeover {
@@ -67,11 +68,10 @@ class SheetEvidence {
   std::optional<std::size_t> put_in_;
   std::optional<std::size_t> pairs_;
   std::optional<std::size_t> triples_;
-  std::vector<bool> is_used_;    // by column of parts: whether a row has a part there
-  bool is_proved_ = false;       // some row names the parts that are put in
-  std::size_t largest_ = 0;      // the most parts of a row: more may have fitted then
-  std::uint64_t open_rows_ = 0;  // with results of a model, without some value
-  Field first_open_;             // the first of their empty cells
+  std::vector<bool> is_used_;  // by column of parts: whether a row has a part there
+  bool is_proved_ = false;     // some row names the parts that are put in
+  std::size_t largest_ = 0;    // the most parts of a row: more may have fitted then
+  FirstNoted open_;            // cells without a value, in rows with results of a model
   std::vector<Doubt> doubts_;
   // Where nothing says what was put in: by line, the number of new pairs, and an empty cell.
   struct Figure {

@@ -71,7 +71,7 @@ TEST(EmptiedCells, BetweenTwoOfOnePartAreNoted) {
   };
   EXPECT_THAT(notes("1,A,C,1,pass\n2,,C,0,pass\n3,A,,0,pass\n4,A,C,0,pass\n"),
               ElementsAre("d.csv:3:3: the cell is empty, and 'A' is there in the tests before and "
-                          "after, as with 1 other empty cell; write it here if it was there in "
+                          "after, as in 1 other cell; write it here if it was there in "
                           "this one"));
   EXPECT_THAT(notes("1,A,C,1,pass\n2,,C,0,pass\n3,B,C,1,pass\n"), IsEmpty());
   EXPECT_THAT(notes("1,A,C,1,pass\n3,,C,0,pass\n4,A,C,1,pass\n"), IsEmpty());

@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
+#include "done_lists.hpp"
 
 namespace changeover::extra_rows_test {
 namespace {
@@ -15,22 +16,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::vector<std::string> names{"A", "B", "C", "D"};
 const std::string head = "step,put_in,slot_1,slot_2,new_pairs,result,seen\n";
 const std::string first = "1,\"A, B\",A,B,1,pass,\n";
 
-DoneList read(const std::string& text) {
-  return read_done(*input_from_text(text, "d.csv"), names, 2);
-}
-
-std::string fault(const std::string& text) {
-  try {
-    static_cast<void>(read(text));
-  } catch (const BadInput& bad) {
-    return bad.what();
-  }
-  return "none";
-}
+DoneList read(const std::string& text) { return test::done_list(text, 2); }
+std::string fault(const std::string& text) { return test::fault_of_list(text, 2); }
 
 TEST(ExtraRows, SumsDaysAndHeadsAreSkippedWithOneNote) {
   const DoneList list = read(head + first + "Tuesday\n" + head + "2,C,A,C,1,fail,\n" +

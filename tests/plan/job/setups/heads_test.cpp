@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
+#include "done_lists.hpp"
 #include "plan/job/setups/setup_columns.hpp"
 #include "some_models.hpp"
 
@@ -17,20 +18,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::vector<std::string> names{"A", "B", "C", "D"};
-
-DoneList read(const std::string& text) {
-  return read_done(*input_from_text(text, "d.csv"), names, 2);
-}
-
-std::string fault(const std::string& text) {
-  try {
-    static_cast<void>(read(text));
-  } catch (const BadInput& bad) {
-    return bad.what();
-  }
-  return "none";
-}
+DoneList read(const std::string& text) { return test::done_list(text, 2); }
+std::string fault(const std::string& text) { return test::fault_of_list(text, 2); }
 
 TEST(Heads, TwoColumnsOfOneNameAreRefusedIfOneIsRead) {
   EXPECT_EQ(fault("step,slot_1,slot_2,result,Notes,notes\n1,A,B,pass,,\n"),

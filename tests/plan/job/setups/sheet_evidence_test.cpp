@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
+#include "done_lists.hpp"
 #include "plan/job/setups/step_numbers.hpp"
 
 namespace changeover::sheet_evidence_test {
@@ -17,20 +18,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::vector<std::string> names{"A", "B", "C", "D", "E", "F"};
-
 DoneList read(const std::string& text, std::uint64_t at_once = 3) {
-  return read_done(*input_from_text(text, "d.csv"), names, at_once);
+  return test::done_list(text, at_once);
 }
-
-std::string fault(const std::string& text) {
-  try {
-    static_cast<void>(read(text));
-  } catch (const BadInput& bad) {
-    return bad.what();
-  }
-  return "none";
-}
+std::string fault(const std::string& text) { return test::fault_of_list(text, 3); }
 
 TEST(SheetEvidence, AColumnOfPartsThatIsGoneIsMissed) {
   EXPECT_THAT(read("step,take_out,put_in,slot_1,slot_2,slot_3,new_pairs,result\n"

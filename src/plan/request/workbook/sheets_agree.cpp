@@ -1,4 +1,5 @@
-#include "plan/request/sheets_agree.hpp"
+#include "plan/request/workbook/sheets_agree.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
-#include "plan/request/run_workbook.hpp"
+#include "plan/request/workbook/run_workbook.hpp"
 
 namespace changeover {
 namespace {
@@ -35,10 +36,7 @@ std::string at(const Input& input, const DoneRow& row) {
   return fmt::format("{}: row {}", name_of_list(input), row.line);
 }
 
-bool counts(const DoneRow& row) {
-  const TestResult result = result_of(row.result);
-  return row.step && result != TestResult::none && result != TestResult::not_run;
-}
+bool counts(const DoneRow& row) { return row.step && was_run(row.result); }
 
 bool have_same_parts(const DoneRow& one, const DoneRow& other) {
   const auto sorted = [](auto parts) {

@@ -8,7 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "io/scan/row_reader.hpp"
-#include "plan/request/bench_tabs.hpp"
+#include "plan/request/workbook/bench_tabs.hpp"
 
 namespace changeover::bench_tabs_test {
 namespace {

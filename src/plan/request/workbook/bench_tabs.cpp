@@ -1,4 +1,4 @@
-#include "plan/request/bench_tabs.hpp"
+#include "plan/request/workbook/bench_tabs.hpp"
 
 #include <fmt/format.h>
 
@@ -11,16 +11,14 @@
 #include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/bench_list.hpp"
-#include "plan/request/sheets_agree.hpp"
+#include "plan/job/setups/setup_list.hpp"
+#include "plan/request/workbook/sheets_agree.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
 
 namespace changeover {
 namespace {
 
-bool has_result(const DoneRow& row) {
-  const TestResult said = result_of(row.result);
-  return said != TestResult::none && said != TestResult::not_run;
-}
+bool has_result(const DoneRow& row) { return was_run(row.result); }
 
 // A bench that a column names in another case.
 void take_benches_in_any_case(const std::vector<Bench>& benches, std::vector<DoneList>& lists) {

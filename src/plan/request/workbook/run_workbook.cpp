@@ -1,4 +1,4 @@
-#include "plan/request/run_workbook.hpp"
+#include "plan/request/workbook/run_workbook.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "io/scan/row_reader.hpp"
-#include "plan/request/sheets_agree.hpp"
+#include "plan/request/workbook/sheets_agree.hpp"
 #include "zip_files.hpp"
 
 namespace changeover::sheets_agree_test {

@@ -9,7 +9,7 @@
 #include "changeover/plan/job_request.hpp"
 #include "damage.hpp"
 #include "io/workbook/workbook_sheet.hpp"
-#include "plan/request/workbook_question.hpp"
+#include "plan/request/workbook/workbook_question.hpp"
 #include "planned_workbook.hpp"
 #include "run_workbooks.hpp"
 #include "some_names.hpp"

@@ -1,5 +1,5 @@
 // Which sheets of a workbook have tests, by their heads and names.
-#include "plan/request/run_workbook.hpp"
+#include "plan/request/workbook/run_workbook.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

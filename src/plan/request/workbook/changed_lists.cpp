@@ -1,4 +1,4 @@
-#include "plan/request/changed_lists.hpp"
+#include "plan/request/workbook/changed_lists.hpp"
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"

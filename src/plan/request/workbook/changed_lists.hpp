@@ -7,7 +7,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/tables.hpp"
 #include "changeover/plan/job_request.hpp"
-#include "plan/request/run_workbook.hpp"
+#include "plan/request/workbook/run_workbook.hpp"
 
 namespace changeover {
 

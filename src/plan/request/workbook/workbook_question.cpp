@@ -1,4 +1,5 @@
-#include "plan/request/workbook_question.hpp"
+#include "plan/request/workbook/workbook_question.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,10 +24,10 @@
 #include "plan/job/parts/heading_words.hpp"
 #include "plan/job/setups/step_numbers.hpp"
 #include "plan/request/asked_benches.hpp"
-#include "plan/request/bench_tabs.hpp"
-#include "plan/request/changed_lists.hpp"
-#include "plan/request/run_workbook.hpp"
-#include "plan/request/sheets_agree.hpp"
+#include "plan/request/workbook/bench_tabs.hpp"
+#include "plan/request/workbook/changed_lists.hpp"
+#include "plan/request/workbook/run_workbook.hpp"
+#include "plan/request/workbook/sheets_agree.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
 #include "plan/sheet/sheet_document.hpp"
 
@@ -219,8 +220,7 @@ void take_off_budget(JobRequest& question, const std::string& name, const Writte
   }
   put_sheets_in_order(rows, begins);
   for (const DoneRow& row : rows) {
-    const TestResult result = result_of(row.result);
-    if (result != TestResult::none && result != TestResult::not_run) {
+    if (was_run(row.result)) {
       done[find_bench(benches, row.bench).value_or(0)].push_back(row.setup);
       ++tests;
     }
@@ -266,8 +266,7 @@ void begin_where_it_ends(JobRequest& question, const RunWorkbook& book,
       if (!is_day(day)) {
         continue;
       }
-      const TestResult said = result_of(cell_text(*row, *result));
-      if (said != TestResult::none && said != TestResult::not_run) {
+      if (was_run(cell_text(*row, *result))) {
         last_done = std::max(last_done, day);
       } else if (first_left.empty() || day < first_left) {
         first_left = day;
