@@ -37,10 +37,11 @@ TEST(RecipePictureTest, WorksAreNamedAndNotTheirKeysOrFiles) {
       Registry::standard().best({.v = 40, .k = 6, .change = 2, .kind = Kind::circular});
   ASSERT_TRUE(offer);
   const std::string drawn = svg(draw_recipe(offer->recipe));
-  for (const char* right :
-       {">Changeover, Theorem 15<", ">Chafee and Stevens 2025, Theorem 3<",
-        "Chafee and Stevens 2025: Recursive and Cyclic Constructions for Double-Change Covering "
-        "Designs, Theorem 3"}) {
+  for (
+      const char* right :
+      {">Changeover, Theorem 15<", ">Chafee and Stevens 2025, Theorem 3<",
+       "A. L. Chafee and B. Stevens. Recursive and Cyclic Constructions for Double-Change Covering "
+       "Designs. Journal of Combinatorial Designs (2025), Theorem 3"}) {
     EXPECT_NE(drawn.find(right), std::string::npos) << right;
   }
   for (const char* wrong : {"ChafeeStevens", "docs/", "src/", "elementary", "McSorley1999"}) {
