@@ -348,6 +348,17 @@ Job job_of_bench(const Job& job, const Bench& bench) {
   return own;
 }
 
+Job job_of_bench(const Job& job, const Bench& bench, const PairSet& can_meet) {
+  Job own = whole_job_of_bench(job, bench);
+  own.needed = PairSet(job.parts());
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    if (can_meet.contains(x, y)) {
+      own.needed.insert(x, y);
+    }
+  });
+  return own;
+}
+
 Job job_by_itself(const Job& job, const Bench& bench) {
   return without_empty_slots(job_of_bench(job, bench));
 }

@@ -15,6 +15,10 @@ namespace changeover {
 /// limits of slots that the job does not have.
 [[nodiscard]] Job job_of_bench(const Job& job, const Bench& bench);
 
+/// The same of a job without triples, of which this is known: the pairs that can meet on the bench,
+/// and perhaps others that are not needed. What can meet takes long to find where rules say it.
+[[nodiscard]] Job job_of_bench(const Job& job, const Bench& bench, const PairSet& can_meet);
+
 /// The same without slots that are empty on this bench, as check(Job) requires.
 [[nodiscard]] Job job_by_itself(const Job& job, const Bench& bench);
 

@@ -46,7 +46,11 @@ std::optional<Block> ChoiceSolver::completed(std::span<const Element> parts,
   for (const Element x : parts) {
     assumed_.push_back(value_literal(x));
   }
-  return solve(liked);
+  preferred_.clear();
+  for (const Element x : liked) {
+    preferred_.push_back(value_literal(x));
+  }
+  return solve();
 }
 
 std::optional<Block> ChoiceSolver::testing(std::span<const Element> parts,
@@ -62,7 +66,15 @@ std::optional<Block> ChoiceSolver::testing(std::span<const Element> parts,
   if (in_range) {
     assumed_.push_back(in_range_);
   }
-  return solve(liked);
+  // As few values other than the liked ones as can be: rows that the solver makes at will repeat.
+  preferred_.clear();
+  for (Element x = 0; x < job_->parts() && !liked.empty(); ++x) {
+    preferred_.push_back(-value_literal(x));
+  }
+  for (const Element x : liked) {
+    preferred_[x] = value_literal(x);
+  }
+  return solve();
 }
 
 std::optional<Block> ChoiceSolver::as_liked(std::span<const Element> parts,
@@ -96,11 +108,7 @@ std::optional<Block> ChoiceSolver::as_liked(std::span<const Element> parts,
   return row;
 }
 
-std::optional<Block> ChoiceSolver::solve(std::span<const Element> liked) {
-  preferred_.clear();
-  for (const Element x : liked) {
-    preferred_.push_back(value_literal(x));
-  }
+std::optional<Block> ChoiceSolver::solve() {
   RunControl undisturbed({});
   RunControl* const above = RunScope::current();
   const Outcome outcome =

@@ -27,8 +27,8 @@ class ChoiceSolver {
   /// if the scope of this thread (run/control.hpp) requests it.
   [[nodiscard]] std::optional<Block> completed(std::span<const Element> parts,
                                                std::span<const Element> liked);
-  /// The same for a set-up that tests these parts together: if none of them is out of range, no
-  /// value of it is.
+  /// A set-up that tests these parts together, as near to the liked one as the solver makes it: if
+  /// none of them is out of range, no value of it is. nullopt if there is none. @throws Stopped
   [[nodiscard]] std::optional<Block> testing(std::span<const Element> parts,
                                              std::span<const Element> liked);
 
@@ -39,7 +39,8 @@ class ChoiceSolver {
   /// the solver.
   [[nodiscard]] std::optional<Block> as_liked(std::span<const Element> parts,
                                               std::span<const Element> liked, bool in_range) const;
-  [[nodiscard]] std::optional<Block> solve(std::span<const Element> liked);
+  /// By what is assumed, with what is preferred.
+  [[nodiscard]] std::optional<Block> solve();
 
   const Job* job_;
   CompiledRules rules_;

@@ -40,21 +40,31 @@ void take_off(Job& job, const std::vector<Block>& setups) {
 
 }  // namespace
 
-BenchField::BenchField(const Job& job, const std::vector<Bench>& benches)
+BenchField::BenchField(const Job& job, const std::vector<Bench>& benches, const BenchField* wider)
     : job_(&job), benches_(&benches), common_(job) {
   for (std::size_t i = 0; i < benches.size(); ++i) {
     if (!benches[i].down) {
       working_.push_back(i);
     }
   }
-  if (job.model != nullptr) {
+  if (wider != nullptr) {
+    values_ = wider->values_;
+  } else if (job.model != nullptr) {
     values_ = std::make_shared<const CompiledRules>(*job.model);
   }
-  add_jobs();
+  add_jobs(wider);
   set_rules();
 }
 
-void BenchField::add_jobs() {
+Job BenchField::own_job(std::size_t w, const BenchField* wider) const {
+  if (wider == nullptr) {
+    return job_of_bench(*job_, bench(w));
+  }
+  const auto there = std::ranges::find(wider->working_, working_[w]) - wider->working_.begin();
+  return job_of_bench(*job_, bench(w), wider->whole(static_cast<std::size_t>(there)).needed);
+}
+
+void BenchField::add_jobs(const BenchField* wider) {
   std::vector<Block> first;
   std::vector<std::vector<bool>> barred;
   for (std::size_t w = 0; w < size(); ++w) {
@@ -65,7 +75,7 @@ void BenchField::add_jobs() {
       }
     }
     if (whole_.size() == w) {
-      jobs_.push_back(job_of_bench(*job_, bench(w)));
+      jobs_.push_back(own_job(w, wider));
       whole_.push_back(&jobs_.back());
     }
     const std::vector<Block>& own = whole(w).first;

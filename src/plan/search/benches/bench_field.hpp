@@ -21,7 +21,12 @@ namespace changeover {
 class BenchField {
  public:
   /// Needs benches without defects. Both must outlive this. @throws Stopped
-  BenchField(const Job& job, const std::vector<Bench>& benches);
+  BenchField(const Job& job, const std::vector<Bench>& benches)
+      : BenchField(job, benches, nullptr) {}
+  /// For some of the pairs of a field without triples, and some of its working benches; the others
+  /// are down. What can meet where is taken from the field.
+  BenchField(const Job& job, const std::vector<Bench>& benches, const BenchField& wider)
+      : BenchField(job, benches, &wider) {}
   BenchField(const BenchField&) = delete;
   BenchField& operator=(const BenchField&) = delete;
 
@@ -61,7 +66,9 @@ class BenchField {
   [[nodiscard]] BenchSchedule schedule(const BenchLists& lists) const;
 
  private:
-  void add_jobs();
+  BenchField(const Job& job, const std::vector<Bench>& benches, const BenchField* wider);
+  void add_jobs(const BenchField* wider);
+  [[nodiscard]] Job own_job(std::size_t w, const BenchField* wider) const;
   void set_rules();
 
   const Job* job_;

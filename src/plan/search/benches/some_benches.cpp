@@ -84,7 +84,7 @@ class SomeBenches {
     for (std::size_t w = 0; w < field_->size(); ++w) {
       benches[number(w)].down = !has(set, w);
     }
-    const BenchField there(job, benches);
+    const BenchField there(job, benches, *field_);
     const BenchBounds found = bench_bounds(there);
     costs_[set] = found.cost.cost;
     reasons_[set] = fmt::format("{} can be tested by {} only, which costs at least {}: {}",
