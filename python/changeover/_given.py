@@ -15,7 +15,7 @@ T = TypeVar("T")
 
 
 def words_of(value: Any) -> str:
-    """The words of a value; UnicodeEncodeError, a ValueError, for what is no text in UTF-8."""
+    """The words of a value; UnicodeEncodeError, a ValueError, for what is not text in UTF-8."""
     text = str(value)
     text.encode()
     return text

@@ -87,7 +87,7 @@ def _items(argument: str, value: Any) -> list[tuple[Any, Any]]:
 
 
 def result_of(result: Any) -> Optional[str]:
-    """'pass', 'fail', '' (nothing is known) or a text; None for what is no result."""
+    """'pass', 'fail', '' (nothing is known) or a text; None for what is not a result."""
     if is_missing(result):
         return ""
     if isinstance(result, bool) or getattr(getattr(result, "dtype", None), "kind", "") == "b":
@@ -267,7 +267,7 @@ def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
 
 
 def _part_named(part: Any, argument: str = "parts") -> str:
-    """What has items inside is no name, nor is what is missing."""
+    """What has items inside is not a name, nor is what is missing."""
     if not is_text(part) and (is_bytes(part) or hasattr(type(part), "__iter__")
                               or is_missing(part)):
         shown = _core.quoted(words_of(repr(part)))

@@ -30,7 +30,7 @@ struct LongOptions {
   bool keeps_best = false;  ///< KeyboardInterrupt is no fault: what was found is the answer
 };
 
-/// Of calls that keep the best that they found.
+/// The limits of calls that keep the best that they found.
 [[nodiscard]] inline LongOptions limits(std::optional<double> time, std::uint64_t threads,
                                         std::uint64_t seed, pybind11::object progress) {
   return {.seconds = time,

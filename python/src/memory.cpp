@@ -93,13 +93,13 @@ const Element* row_of(const Exporter& blocks, Py_ssize_t index) {
   return static_cast<const Element*>(blocks.bytes) + index * blocks.shape[1];
 }
 
-// Of a type that Python derived: it says which rows there are.
+// A row of a type that Python derived, which says what rows there are.
 py::tuple row(const py::object& blocks, Py_ssize_t index) {
   const Exporter& exporter = exporter_of(blocks);
   return tuple_of({row_of(exporter, index), static_cast<std::size_t>(exporter.shape[1])});
 }
 
-// Of such a type, a copy of rows of k numbers.
+// A copy of rows of k numbers, of such a type.
 py::object copied(const py::object& type, const py::bytes& bytes, std::size_t k) {
   const auto text = static_cast<std::string_view>(bytes);
   const std::size_t count = text.size() / sizeof(Element);
@@ -112,7 +112,7 @@ py::object copied(const py::object& type, const py::bytes& bytes, std::size_t k)
   return blocks_of(type, copy, copy->data(), copy->size() / k, k);
 }
 
-// Of the same type.
+// A part of the rows, of the same type.
 py::object part(const py::object& blocks, Py_ssize_t first, Py_ssize_t length, Py_ssize_t step) {
   const py::type type = py::type::of(blocks);
   const Exporter& exporter = exporter_of(blocks);

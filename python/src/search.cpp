@@ -21,7 +21,7 @@ struct Found {
   double seconds = 0;
 };
 
-// Of a search without proofs.
+// The answer of a search without proofs.
 template <typename Result>
 Found found_by(const Result& result, std::string how) {
   Found found;

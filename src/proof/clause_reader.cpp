@@ -213,7 +213,7 @@ bool DratReader::next_binary(ProofStep& step) {
       return true;
     }
     if (number == 1) {
-      bytes_.fail_at(step.line, "the number 1 is no literal");
+      bytes_.fail_at(step.line, "the number 1 is not a literal");
     }
     const auto variable = static_cast<std::int32_t>(number / 2);
     add(step, number % 2 == 0 ? variable : -variable);

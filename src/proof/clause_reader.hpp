@@ -57,7 +57,7 @@ class ByteReader {
     }
     return byte;
   }
-  /// Of the next byte, from 1.
+  /// The line of the next byte, from 1.
   [[nodiscard]] std::uint64_t line() const { return line_; }
 
   void skip_blanks(bool over_lines);

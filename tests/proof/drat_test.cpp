@@ -127,7 +127,7 @@ TEST(Drat, ReadsBinaryProofs) {
   EXPECT_THAT(refusal(eight, "x", binary), HasSubstr("a.drat:1: expected 'a' or 'd', found 'x'"));
   EXPECT_THAT(refusal(eight, step('a', {1, 2}) + "a\x03", binary), HasSubstr("a.drat:2:"));
   EXPECT_THAT(refusal(eight, std::string("a\x01\0", 3), binary),
-              HasSubstr("the number 1 is no literal"));
+              HasSubstr("the number 1 is not a literal"));
   EXPECT_THAT(refusal(eight, "a\xff\xff\xff\xff\xff\xff\xff", binary), HasSubstr("exceeds"));
 }
 

@@ -24,7 +24,7 @@ def received(found: Design, cell: Cell, b: int) -> Design:
     """
     if not found.verdict.valid or found.b != b or cell != (
             found.v, found.k, found.change, found.kind, found.strength):
-        raise InternalError(f"a worker sent what is no {cell[3]} design with v = {cell[0]}, k = "
+        raise InternalError(f"a worker sent what is not a {cell[3]} design with v = {cell[0]}, k = "
                             f"{cell[1]} and {b} blocks")
     return found
 

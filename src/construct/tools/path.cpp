@@ -95,7 +95,7 @@ bool Way::next(std::span<Element> block) {
   const std::uint64_t m = distances_->change();
   const auto d = static_cast<std::uint64_t>(
       std::ranges::count_if(here_, [this](Element x) { return !is_goal_[x]; }));
-  // Of the moves that come nearer, the first: few wrong elements go, few others come.
+  // The first of the moves that come nearer: few wrong elements go, few others come.
   const auto [a_range, h_range] = moves_at(d, distances_->k(), m, distances_->v());
   std::uint64_t a = a_range.low;
   std::uint64_t h = h_range.low;

@@ -108,7 +108,7 @@ class Coverage {
       }
       last_ = steps.index() + 1;
       const bool first = last_ == from;
-      // Of a part, what is before its first block does not count.
+      // If a part of the design is drawn, what is before its first block does not count.
       const std::span<const Element> entering =
           first && !drawing_.is_whole() ? steps.block() : steps.introduced();
       for (const Element x : entering) {

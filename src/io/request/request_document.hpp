@@ -42,7 +42,7 @@ class RequestDocument {
   [[nodiscard]] std::uint64_t number(const OptionRecord& record, const JsonNode& node) const;
   [[nodiscard]] double seconds(const OptionRecord& record, const JsonNode& node) const;
   [[nodiscard]] bool flag(const OptionRecord& record, const JsonNode& node) const;
-  /// Of an amount, a text or a word.
+  /// The text of an amount, a text or a word.
   [[nodiscard]] std::string text(const OptionRecord& record, const JsonNode& node) const;
   [[nodiscard]] std::vector<std::string> names(const OptionRecord& record,
                                                const JsonNode& node) const;

@@ -110,7 +110,7 @@ void check_rules(const RequestTable<Request>& table, const Request& request, con
       std::erase_if(*keys, [&](std::string_view key) { return !is_given(table, request, key); });
     }
     if (is_broken(rule, given)) {
-      // Of those that exclude each other, at the one that stands in a document.
+      // If keys exclude each other, the place is that of the one in a document.
       const auto at = std::ranges::find_if(given.keys, [&](std::string_view key) {
         return rule.says != OptionRule::Says::exclude || words.door_of(key) == Door::document;
       });

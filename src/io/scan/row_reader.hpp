@@ -130,7 +130,7 @@ class RowReader {
   /// The place of this field, of any row: "list.csv:3:7", "book.xlsx:Run!D3".
   [[nodiscard]] std::string place(const Field& field) const;
 
-  /// Of the last row: the merged cells that this field is part of, "B5:C5", if what they say is in
+  /// The merged cells that this field of the last row is part of, "B5:C5", if what they say is in
   /// another column. Nothing outside workbooks.
   [[nodiscard]] std::optional<std::string> merged_with_others(const Field& field) const;
 

@@ -102,13 +102,13 @@ class TextScanner {
   /// @throws BadInput for control bytes and for words of more than max_token_bytes.
   Item next();
 
-  /// Of the last word.
+  /// The last word.
   [[nodiscard]] std::string_view word() const { return {start_, length_}; }
   /// Its value if it is a plain number below TokenTable::not_small, else not_small.
   [[nodiscard]] std::uint32_t number() const { return number_; }
   [[nodiscard]] Place word_place() const { return place_of_byte(start_); }
 
-  /// Of the last line end.
+  /// The place of the last line end.
   [[nodiscard]] Place line_end_place() const { return line_end_; }
 
   /// The place of the next byte.

@@ -9,7 +9,7 @@
 
 namespace changeover {
 
-/// Of all groups of a list together.
+/// The most pairs in all groups of a list together.
 inline constexpr std::uint64_t most_pairs_in_groups = std::uint64_t{1} << 30;
 
 /// Pairs in pieces, so that more of them move none. A piece is so large that the system has it back

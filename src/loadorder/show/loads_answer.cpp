@@ -115,7 +115,7 @@ AnyLoads repeated(AnyLoads loads, std::uint64_t epochs) {
   return epochs == 1 ? std::move(loads) : std::visit(Again{epochs}, loads);
 }
 
-// Of two levels.
+// Loads of two levels are a WorkerSplit or a LoadOrder.
 AnyLoads started_early(AnyLoads loads) {
   if (auto* const split = std::get_if<WorkerSplit>(&loads)) {
     return start_loads_early(std::move(*split));
@@ -123,8 +123,8 @@ AnyLoads started_early(AnyLoads loads) {
   return start_loads_early(std::get<LoadOrder>(std::move(loads)));
 }
 
-// Of workers in lockstep what has a small span forward may have a large one backward: with a search
-// the better of the two orders is taken, with it and without.
+// For workers in lockstep, an order with a small span forward may have a large one backward. So the
+// better of two orders is taken: with a search, and without.
 AnyLoads repeated_lockstep(const CheckedLoads& asked, const LoadOrderOptions& options) {
   const std::uint64_t epochs = *asked.request().epochs;
   AnyLoads without = repeated(planned(asked, fixed_work(options)), epochs);

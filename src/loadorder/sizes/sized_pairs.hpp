@@ -45,7 +45,7 @@ void each_partner(const WantedPairs& wanted, std::uint64_t items, Element x, Vis
     }
     return;
   }
-  // Of two sets the other one; of new items all others.
+  // Between two sets: the items of the other set. With new items: all others.
   const bool between = wanted.kind() == WantedPairs::Kind::between;
   const bool is_first = between && x < wanted.first();
   const std::uint64_t end = between && !is_first ? wanted.first() : items;

@@ -31,7 +31,7 @@ EdgeSet edges_in(const std::string& text) {
     std::ranges::replace(word, '-', ' ');
     const std::vector<Block> ends = blocks_in(word);  // one line, two numbers
     if (ends.size() != 1 || ends.front().size() != 2) {
-      throw BadInput(fmt::format("\"{}\" is no chord", word));
+      throw BadInput(fmt::format("\"{}\" is not a chord", word));
     }
     edges.insert(std::minmax(ends.front()[0], ends.front()[1]));
   }

@@ -136,8 +136,9 @@ PaperItem check_table_3(const Paper& paper, const PrintedTable& table) {
                         "expanded from Table 2 with the colours of Figure 2 in their order");
   }
   Check check(table.place, table.caption, "blocks");
-  check.expect(false, {"Table 2 expanded with the 1-factors of Figure 2", "that cannot be done",
-                       "the carets mark no expansion set, or the colours are no 1-factorization"});
+  check.expect(
+      false, {"Table 2 expanded with the 1-factors of Figure 2", "that cannot be done",
+              "the carets do not mark an expansion set, or the colours are not a 1-factorization"});
   return std::move(check).finish();
 }
 

@@ -45,7 +45,7 @@ bool is_made_from(const Recipe& recipe, std::string_view construction) {
 // A table whose columns are not k-subsets of its elements.
 PaperItem unreadable(const PrintedTable& table, const BadInput& fault) {
   Check check(table.place, table.caption, "tables");
-  check.expect(false, {table.caption, "the columns are no list of blocks", fault.what()});
+  check.expect(false, {table.caption, "the columns are not a list of blocks", fault.what()});
   return std::move(check).finish();
 }
 

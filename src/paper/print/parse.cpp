@@ -52,7 +52,7 @@ PrintedUnchanged unchanged_in(std::string_view token) {
     token.remove_prefix(1);
   }
   if (token.size() < 3 || token.front() != '{' || token.back() != '}') {
-    throw BadInput(fmt::format("\"{}\" is no unchanged subset; write {{2,3}}", token));
+    throw BadInput(fmt::format("\"{}\" is not an unchanged subset; write {{2,3}}", token));
   }
   std::string inside(token.substr(1, token.size() - 2));
   std::ranges::replace(inside, ',', ' ');
@@ -97,7 +97,7 @@ std::vector<Block> blocks_in(std::string_view text) {
     for (const std::string& word : words(line)) {
       const auto number = parsed<std::uint64_t>(word);
       if (!number || *number >= max_elements_in_memory) {
-        throw BadInput(fmt::format("\"{}\" in \"{}\" is no element", word, line));
+        throw BadInput(fmt::format("\"{}\" in \"{}\" is not an element", word, line));
       }
       block.push_back(static_cast<Element>(*number));
     }
@@ -182,7 +182,7 @@ OneFactorization parse(const PrintedFactorization& printed) {
     for (const std::string& edge : words(line)) {
       const std::size_t dash = edge.find('-');
       if (dash == std::string::npos) {
-        throw BadInput(fmt::format("{}: \"{}\" is no edge", printed.place, edge));
+        throw BadInput(fmt::format("{}: \"{}\" is not an edge", printed.place, edge));
       }
       const auto a = index_of(printed.vertices, edge.substr(0, dash), printed.place);
       const auto b = index_of(printed.vertices, edge.substr(dash + 1), printed.place);

@@ -37,8 +37,8 @@ bool is_of_three_parameters(const Job& job, const Triple& t) {
                       }) <= 1;
 }
 
-// Of a triple with a value out of range, only the pairs of that value: a test of the triple hides
-// the third.
+// For a triple with a value out of range, only the pairs of that value are needed: a test of the
+// triple hides the third pair.
 void need_their_pairs(Job& job) {
   job.needed = PairSet(job.parts());
   for (const Triple& t : job.triples) {

@@ -490,7 +490,7 @@ class JobMaker {
       return;
     }
     const bool is_all = apart.size() == job_.needed.size();
-    // Of benches this is what tests that were done have left: it may be what cannot be.
+    // With several benches these are the pairs that done tests have left: perhaps impossible ones.
     if (is_all && has_benches() && !question_->done.is_given()) {
       throw BadInput("no two parts that must meet can be on one bench; let a bench have both");
     }

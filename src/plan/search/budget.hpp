@@ -43,7 +43,7 @@ class Rounds {
 
   explicit Rounds(const PlanOptions& options) : options_(&options) {}
 
-  /// Of the round under way, from 0.
+  /// The number of the round under way, from 0.
   [[nodiscard]] unsigned now() const { return round_; }
 
   /// The round is over, and found something better or not: whether there is another one.

@@ -441,7 +441,7 @@ CnfSize order_size(const EncodingPlan& plan) {
   return plan.ordered() * size;
 }
 
-// Of Encoder::coverage().
+// The size of what Encoder::coverage() adds.
 CnfSize coverage_size(const EncodingPlan& plan) {
   if (plan.counted && plan.repetitions < 0) {
     return clauses_of(1, 0);

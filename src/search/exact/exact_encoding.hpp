@@ -48,7 +48,7 @@ class DesignFormula {
   /// Has no clauses yet; encode_design() adds them.
   DesignFormula(const Parameters& p, std::uint64_t b) : parameters_(p), b_(b) {}
 
-  /// Of what is wanted besides.
+  /// The variables of what is wanted besides.
   [[nodiscard]] const WantedVariables& wanted() const { return wanted_; }
   [[nodiscard]] WantedVariables& wanted() { return wanted_; }
 

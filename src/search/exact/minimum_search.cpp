@@ -110,7 +110,7 @@ std::optional<VerifiedDesign> checked(const Parameters& p, const std::optional<D
   } catch (const Stopped&) {
     return std::nullopt;
   }
-  throw BadInput(fmt::format("the design that was given is no {}", name(p)));
+  throw BadInput(fmt::format("the design that was given is not a {}", name(p)));
 }
 
 // What can be searched with what is wanted: there is a design with some number of blocks.

@@ -36,8 +36,8 @@ struct BaseBlockAnnealing {
 
 // The possible numbers of introductions and occurrences of an element in a tight circular design.
 
-/// Of an element of a cycle: in the whole design, which is the same as those of its cycle in the
-/// base blocks. Of a fixed element: in the base blocks.
+/// For an element of a cycle: in the whole design, which is the same as those of its cycle in the
+/// base blocks. For a fixed element: in the base blocks.
 struct Degree {
   std::uint64_t introductions = 0;
   std::uint64_t occurrences = 0;

@@ -57,11 +57,11 @@ TEST(PrintedTable, reads_a_row_of_unchanged_subsets) {
 TEST(PrintedTable, refuses_what_it_cannot_read) {
   EXPECT_REFUSAL((void)parse(small_table("0 1\n2\n")), BadInput,
                  "Table X: \"2\" has 1 column, the line before 2");
-  EXPECT_REFUSAL((void)blocks_in("0 1\nx 2\n"), BadInput, "\"x\" in \"x 2\" is no element");
+  EXPECT_REFUSAL((void)blocks_in("0 1\nx 2\n"), BadInput, "\"x\" in \"x 2\" is not an element");
   EXPECT_REFUSAL((void)parse(small_table("0:x 1\n2 3\n")), BadInput,
                  "\"0:x\": a colour is a number from 1");
   EXPECT_REFUSAL((void)parse(small_table("0 1\n2 3\nU 5\n")), BadInput,
-                 "\"5\" is no unchanged subset; write {2,3}");
+                 "\"5\" is not an unchanged subset; write {2,3}");
   EXPECT_REFUSAL((void)printed_design(small_table("0 1\n9 2\n"), Kind::linear), BadInput,
                  "Table X: \"9\" is none of its elements");
   EXPECT_THROW((void)printed_design(small_table("0 1\n0 2\n"), Kind::linear), BadInput);
@@ -176,7 +176,7 @@ TEST(PrintedPaper, figures_are_read_by_names) {
   wrong.factors = "a-g";
   EXPECT_REFUSAL((void)parse(wrong), BadInput, "Figure 1: \"g\" is none of its elements");
   wrong.factors = "ab";
-  EXPECT_REFUSAL((void)parse(wrong), BadInput, "Figure 1: \"ab\" is no edge");
+  EXPECT_REFUSAL((void)parse(wrong), BadInput, "Figure 1: \"ab\" is not an edge");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ export function fill(parent: Element, ...children: (Child | Child[])[]): void {
 export function picture(svg: string): SVGSVGElement {
   const parsed = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
   if (parsed.nodeName !== 'svg') {
-    throw new Error('the server sent a picture that is no SVG');
+    throw new Error('the server sent a picture that is not SVG');
   }
   for (const element of [parsed, ...parsed.querySelectorAll('*')]) {
     if (['script', 'foreignObject', 'style', 'use', 'image'].includes(element.nodeName)) {

@@ -43,7 +43,7 @@ const words = new Set(
     'If In It So To On At By No Of We An As Is Be vs'
   ).split(' '),
 );
-/** Other pairs of small letters that are no products: units, endings and short forms. */
+/** Other pairs of small letters that are not products: units, endings and short forms. */
 const shorts = new Set(
   'cf ch cm dr ff ft hr kb kg km lb md ml mm mr ms ns pp ps px py st th'.split(' '),
 );
@@ -298,7 +298,7 @@ export function partsOf(formula: string): { tex: string; text: string }[][] {
     last = token;
     i = token.to;
   }
-  // A letter with its index is no part by itself.
+  // A letter with its index is not a part by itself.
   const split = (from: number, to: number, at: readonly number[]): [number, number][] => {
     const starts = [from, ...at.filter((each) => each > from + 7 && each < to - 2)];
     return starts.map((start, i) => [start, starts[i + 1] ?? to]);

@@ -5,7 +5,7 @@ export interface Range {
   to: number;
 }
 
-/** Null if it is no range. */
+/** Null if it is not a range. */
 export function readRange(text: string): Range | null {
   const found = /^\s*(\d*)\s*(?:(\.\.+|[-–—…])\s*(\d*))?\s*$/.exec(text);
   if (!found || (!found[1] && !found[3])) {

@@ -246,7 +246,7 @@ export async function designOf(asked: Asked, signal: AbortSignal): Promise<Desig
 function cellOf(label: string): Cell {
   const cell = cellOfLabel(label);
   if (!cell) {
-    throw new ApiError(`“${label}” is no label of a design.`, 404);
+    throw new ApiError(`“${label}” is not a label of a design.`, 404);
   }
   return cell;
 }

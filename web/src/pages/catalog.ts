@@ -350,7 +350,9 @@ export const catalog: Page = {
           if (!good) {
             fill(
               said,
-              problem(new Error(`“${input.value}” is no range. Write it as 3..12, or one number.`)),
+              problem(
+                new Error(`“${input.value}” is not a range. Write it as 3..12, or one number.`),
+              ),
             );
           } else if (k && v) {
             fill(said);
@@ -480,7 +482,7 @@ export const catalog: Page = {
     const asWritten = wrong.map((name) => `${name} = ${param(name, '')}`).join(' and ');
     await redraw();
     if (wrong.length > 0 && !view.signal.aborted) {
-      const what = wrong.length === 1 ? 'which is no range' : 'which are no ranges';
+      const what = wrong.length === 1 ? 'which is not a range' : 'which are not ranges';
       fill(
         said,
         problem(

@@ -51,7 +51,7 @@ struct Examples {
   }
 };
 
-// Of each construction, by the change number; 0 is any.
+// Examples of each construction, by the change number; 0 is any.
 using ExamplesOf = std::map<std::pair<std::string_view, std::uint64_t>, Examples>;
 
 void add_examples(const Registry& registry, const Parameters& p, ExamplesOf& examples) {
@@ -101,7 +101,8 @@ std::optional<Parameters> example_of(const ExamplesOf& examples, std::string_vie
   return found == examples.end() ? std::nullopt : found->second.shown();
 }
 
-// Of the designs that a theorem is about, as the paragraph with its name says; 0 if it is several.
+// The change number of the designs that a theorem is about, as the paragraph with its name says; 0
+// if there are several.
 std::uint64_t change_of(std::string_view statement) {
   statement.remove_prefix(std::min(statement.find("**Theorem"), statement.size()));
   statement = statement.substr(0, statement.find("\n\n"));

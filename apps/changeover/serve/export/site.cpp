@@ -101,7 +101,7 @@ class Site {
     }
   }
 
-  // Of larger strengths what the range has of the little that is known.
+  // For larger strengths: what the range has of the little that is known.
   void write_strength(std::uint64_t change, std::uint32_t strength) {
     const auto common = [](const cli::Range& a, const cli::Range& b) {
       return cli::Range{std::max(a.from, b.from), std::min(a.to, b.to)};

@@ -58,7 +58,7 @@ class RunStore {
   };
 
   [[nodiscard]] std::string path_of(const std::string& id) const;
-  /// Of the files that are named as runs.
+  /// The ids of the files that are named as runs.
   [[nodiscard]] std::vector<std::string> ids() const;
   [[nodiscard]] KeptRun read(const std::string& id) const;
   [[nodiscard]] std::optional<Listed> listed(const std::string& id) const;

@@ -33,7 +33,7 @@ std::string provenance(const SearchRequest& request, const Parameters& p, const 
 Judgement judge(const SearchFind& find) {
   Judgement judgement = judge(verify(find.design), find.proved);
   if (!judgement.verdict.valid) {
-    throw InternalError("a search handed out a list of blocks that is no design");
+    throw InternalError("a search handed out a list of blocks that is not a design");
   }
   if (find.proved && judgement.bound.name == "checked proofs") {
     judgement.from_tables = true;

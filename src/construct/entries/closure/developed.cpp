@@ -31,7 +31,7 @@ std::uint64_t argument(const Recipe& recipe, const char* name, std::uint64_t lea
   return static_cast<std::uint64_t>(found->second);
 }
 
-/// Of a recipe whose arguments are right. @throws BadInput otherwise.
+/// The permutation that a recipe with right arguments names. @throws BadInput otherwise.
 Permutation permutation_of(const Recipe& recipe, const Construction& construction) {
   require_recipe(recipe, construction,
                  Recipe{std::string(construction.name()),

@@ -374,7 +374,7 @@ class PartialExpander final : public Described<Rule, description> {
     return *std::move(found);
   }
 
-  // Of a partial expansion of a cyclic design by an even number of elements.
+  // The unchanged cover of a partial expansion of a cyclic design by an even number of elements.
   static std::optional<UnchangedCover> cover_for_one_more(const Recipe& input, std::uint64_t w,
                                                           std::optional<std::uint64_t> b,
                                                           const Registry& registry) {

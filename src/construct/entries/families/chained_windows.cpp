@@ -112,7 +112,7 @@ class Chained final : public SwapPlan {
 
  private:
   [[nodiscard]] std::uint64_t x(std::uint64_t i) const { return u_ + i - 1; }
-  // Of 2, …, K−1 those from here on are in the first block, but for the late one.
+  // Those of 2, …, K−1 from here on are in the first block, but for the late one.
   [[nodiscard]] std::uint64_t lowest() const { return spares_ ? w_ : w_ + 1; }
   // Who comes into the first blocks for x_w.
   [[nodiscard]] std::uint64_t late() const { return big_ - 2; }

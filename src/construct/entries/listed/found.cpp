@@ -16,9 +16,8 @@
 namespace changeover::found_entry {
 namespace {
 
-// Of a valid design: whether it covers each pair, or what its strength says, newly, once. No two
-// elements are in every block of a circular design that comes with the program, which the tests see
-// to.
+// Whether a valid design covers each pair (or what its strength says) newly once. No two elements
+// are in every block of a circular design that comes with the program; the tests see to that.
 bool is_tight(const Parameters& p, std::uint64_t b) {
   const std::uint64_t first = p.kind == Kind::linear ? binomial(p.k, p.strength) : 0;
   const std::uint64_t later = p.kind == Kind::linear ? b - 1 : b;

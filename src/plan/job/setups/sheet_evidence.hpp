@@ -24,7 +24,7 @@ class SheetEvidence {
  public:
   using FindPart = std::function<std::optional<Element>(const std::string&)>;
 
-  /// Of a sheet with one part in each column; the header and the finder must outlive this. `room`
+  /// For a sheet with one part in each column. The header and the finder must outlive this. `room`
   /// is the most parts that a set-up can have; the highest number if it is not known.
   SheetEvidence(const Row& header, const SetupColumns& columns, const RowReader& reader,
                 const PartFinder& finder, std::uint64_t room);

@@ -86,8 +86,8 @@ class Sequence {
   }
   [[nodiscard]] const Fitting& fitting() const { return fitting_; }
 
-  /// Of the movable parts at position `in` that are not at `without`, number `choice` modulo their
-  /// count; nullopt if there is none. Position size() stands for the start.
+  /// One of the movable parts at position `in` that are not at `without`: number `choice` modulo
+  /// their count; nullopt if there is none. Position size() stands for the start.
   [[nodiscard]] std::optional<Element> some_difference(std::size_t in, std::size_t without,
                                                        std::uint32_t choice) const;
 

@@ -25,7 +25,7 @@ class DearWalk {
   static constexpr std::size_t most_groups = 8;
 
   DearWalk() = default;
-  /// Of the parts with these numbers in JobNumbers::parts; at_start is by these numbers.
+  /// A walk of the parts with these numbers in JobNumbers::parts; at_start is by these numbers.
   DearWalk(const Job& job, const JobNumbers& n, const StepGroups& groups,
            const std::vector<std::uint64_t>& at_start, std::vector<std::size_t> chosen);
 

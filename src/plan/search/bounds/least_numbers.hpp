@@ -82,7 +82,8 @@ class IntroductionCosts {
 
 [[nodiscard]] LeastNumber least_tests(const Job& job, const JobNumbers& n);
 
-/// Of parts of F, of which so many come in any case; `by_stays` is the number of (7).
+/// The least number of introductions of parts of F, of which so many come in any case; `by_stays`
+/// is the number of (7).
 [[nodiscard]] LeastNumber least_introductions(const JobNumbers& n, std::uint64_t once,
                                               std::uint64_t by_stays);
 

@@ -106,7 +106,7 @@ class StepProgram {
   [[nodiscard]] ExchangePrices exchange_prices() const;
   /// What Theorem 28 adds to this, if it adds something.
   [[nodiscard]] std::optional<DearTimes> dear_times() const;
-  /// Of so much, in the unit of the program.
+  /// This cost in the unit of the program.
   [[nodiscard]] double in_program(Amount cost) const {
     return (static_cast<double>(cost.millionths) - static_cast<double>(base_)) / unit_;
   }

@@ -67,7 +67,7 @@ struct ListsJob {
   std::vector<Weights> weights = {};     ///< by bench
   std::vector<std::int64_t> spent = {};  ///< by bench: cost before its list; empty: 0
   const ClockRules* clock = nullptr;     ///< null if no bench waits or rests
-  /// Of the model of the jobs; null for other jobs.
+  /// The rules of the model of the jobs; null for other jobs.
   std::shared_ptr<const CompiledRules> rules = {};
   /// In place of the clock: scarce parts may be on two benches at a time, but overlap() counts it.
   bool overlaps = false;
@@ -174,7 +174,7 @@ class Lists {
   [[nodiscard]] Rise rise_of_replace(Spot where, Element out, Element in) const;
   [[nodiscard]] Rise rise_of_take_out(Spot where) const;
   [[nodiscard]] Rise rise_of_reverse(std::size_t bench, Stretch where) const;
-  /// Of move(), and of reverse() there after it.
+  /// The rise by move(), and by reverse() there after it.
   [[nodiscard]] Rise rise_of_move(Spot from, std::size_t count, Spot to, bool reversed) const;
 
   /// Removes `out`, which is there, and adds `in`, which is not, where may_replace() allows it.

@@ -19,7 +19,7 @@ Amount times_factor(Amount cost, Amount factor) {
   constexpr std::uint64_t one = 1'000'000;
   const Wide product = Wide{cost.millionths} * factor.millionths;
   if (product % one != 0 || product / one > Wide{1} << 62U) {
-    throw InternalError("a change cost times the factor of a bench is no amount");
+    throw InternalError("a change cost times the factor of a bench is not an amount");
   }
   return Amount{static_cast<std::uint64_t>(product / one)};
 }

@@ -71,7 +71,7 @@ export function bytesOf(text: string): number {
   const unit = units[found?.[2]?.toLowerCase() ?? '?'];
   if (!found || unit === undefined) {
     throw new Error(
-      `“${text}” is no size: write bytes, or a number with kB, MB, GB, KiB, MiB or GiB`,
+      `“${text}” is not a size: write bytes, or a number with kB, MB, GB, KiB, MiB or GiB`,
     );
   }
   return Math.round(Number(found[1]) * unit);

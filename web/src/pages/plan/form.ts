@@ -211,7 +211,7 @@ export function jobForm(
         { class: 'hint' },
         'A server has exactly one processor and two to four disks: name the slot of each part ' +
           'in the list, and write here how many parts of it a set-up has. It is one until you ' +
-          'write another number; an empty field is no limit.',
+          'write another number; an empty field sets no limit.',
       ),
       slots.element,
     ),
