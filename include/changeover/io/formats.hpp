@@ -191,8 +191,16 @@ std::uint64_t write_json(BlockSource& source, Sink& sink, const TextHeader& head
 [[nodiscard]] Design read_literal(Input& input, const ReadOptions& options = {});
 [[nodiscard]] Design read_designtheory(Input& input, const ReadOptions& options = {});
 
+/// Blocks in brackets of any kind, "{A,B,D} {B,C,E}" or "blocks = [(0,1,3),(1,2,4)]", their
+/// elements numbers or names, separated by commas or blanks; a pair of brackets may hold all
+/// blocks. Elements get their numbers as in a JSON array of blocks. @throws as read_literal().
+[[nodiscard]] Design read_brackets(Input& input, const ReadOptions& options = {});
+
 /// Whether a text begins, after its comments, like a design of GAP or Sage.
 [[nodiscard]] bool begins_like_a_literal(std::string_view beginning);
+
+/// Whether a text begins, after its comments, like blocks in brackets and not like JSON.
+[[nodiscard]] bool begins_like_brackets(std::string_view beginning);
 
 /// @throws as Sink::write(). The same for the other writers.
 void write_gap(const Design& design, Sink& sink);

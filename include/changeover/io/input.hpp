@@ -118,12 +118,12 @@ class DesignInput : public BlockSource {
 //     auto stream = open_design("huge.txt", {.kind = Kind::circular});
 //     Verdict verdict = verify(*stream);
 //
-// The first byte that is not blank decides: `{` or `[` is JSON, `<` is XML of designtheory.org.
-// Otherwise, a text that begins like a design of GAP or Sage (io/formats.hpp) is one, a first line
-// with a comma or semicolon (before any `#`) is CSV, and all else is text. File names do not
-// matter.
+// The first byte that is not blank decides: `{` or `[` is JSON, unless it can only be blocks in
+// brackets; `<` is XML of designtheory.org. Otherwise, a text that begins like a design of GAP or
+// Sage, or like blocks in brackets (io/formats.hpp), is one, a first line with a comma or semicolon
+// (before any `#`) is CSV, and all else is text. File names do not matter.
 
-enum class Format : std::uint8_t { text, json, csv, xml, literal };
+enum class Format : std::uint8_t { text, json, csv, xml, literal, brackets };
 
 /// The format of a file that begins with these bytes; a few hundred are enough.
 [[nodiscard]] Format guess_format(std::string_view beginning);

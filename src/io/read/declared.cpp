@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "changeover/core/design.hpp"
@@ -156,6 +157,9 @@ Parameters completed(const std::string& name, Place place, const Declared& decla
       declared.change.value_or(first_change != 0 ? first_change : std::min<std::uint64_t>(2, k));
   p.kind = declared.kind.value_or(Kind::linear);
   p.strength = declared.strength.value_or(2);
+  if (k == 1 && !declared.k && v > 1 && p.strength == 2) {
+    fail(name, place, "each block has one element; separate the elements of a block by blanks");
+  }
   try {
     check(p);
   } catch (const ImpossibleParameters& fault) {
@@ -206,6 +210,24 @@ std::optional<std::string> table_defect(std::string_view beginning) {
         return "this looks like a table for people; write it with --format text or --json";
       }
     }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> loose_word_defect(std::string_view word, bool is_first) {
+  constexpr std::string_view brackets = "()[]{}";
+  constexpr std::array<std::string_view, 4> comments = {"%", "//", "--", "/*"};
+  if (brackets.find(word.front()) != std::string_view::npos ||
+      brackets.find(word.back()) != std::string_view::npos) {
+    return fmt::format("{} has a bracket; write every block as {{A,B,C}}, or none", shown(word));
+  }
+  if (std::ranges::find(comments, word) != comments.end()) {
+    return fmt::format("{} is not an element; begin a comment with #", shown(word));
+  }
+  const bool numbered =
+      (word.back() == '.' || word.back() == ')') && plain_number(word.substr(0, word.size() - 1));
+  if (is_first && word.size() > 1 && (word.back() == ':' || numbered)) {
+    return fmt::format("{} looks like the name of the block; leave it out", shown(word));
   }
   return std::nullopt;
 }
@@ -377,6 +399,19 @@ void Collector::settle(const Context& context) {
   }
 }
 
+void Collector::refuse_repeats(const Context& context) const {
+  std::vector<std::uint64_t> seen(static_cast<std::size_t>(v_), 0);
+  for (std::size_t at = 0; at < elements_.size(); ++at) {
+    const Element x = elements_[at];
+    const std::uint64_t block = at / k_ + 1;
+    if (seen[x] == block) {
+      fail(context.name, context.place_of_word(at),
+           repeat_defect(block, labels_.empty() ? fmt::to_string(x) : labels_[x]));
+    }
+    seen[x] = block;
+  }
+}
+
 Design Collector::finish(const Context& context) {
   if (blocks_ == 0) {
     fail(context.name, context.place, "no blocks; give at least one");
@@ -385,23 +420,15 @@ Design Collector::finish(const Context& context) {
     fail(context.name, context.place_of_word(0), size_defect(1, k_, *context.declared.k, true));
   }
   settle(context);
+  refuse_repeats(context);
   const std::span<const Element> all(elements_);
   const std::uint64_t first_change =
       blocks_ < 2 ? 0 : difference(all.first(k_), all.subspan(k_, k_)).size();
   Design design(completed(context.name, context.place, context.declared, v_, k_, first_change));
   design.set_labels(labels_);
   design.reserve(blocks_);
-  std::vector<std::uint64_t> seen(static_cast<std::size_t>(v_), 0);
   for (std::uint64_t i = 0; i < blocks_; ++i) {
-    const std::span<const Element> block = all.subspan(i * k_, k_);
-    for (std::size_t j = 0; j < k_; ++j) {
-      if (seen[block[j]] == i + 1) {
-        fail(context.name, context.place_of_word(i * k_ + j),
-             repeat_defect(i + 1, design.label(block[j])));
-      }
-      seen[block[j]] = i + 1;
-    }
-    design.append(block);
+    design.append(all.subspan(i * k_, k_));
   }
   return design;
 }

@@ -51,6 +51,10 @@ struct Declared : ReadOptions {
 /// A message if the input begins like one of our tables for people rather than like a design.
 [[nodiscard]] std::optional<std::string> table_defect(std::string_view beginning);
 
+/// Why a new word of blocks without a list of names is hardly an element: a bracket, the name of a
+/// block in front of it, or a comment of another language.
+[[nodiscard]] std::optional<std::string> loose_word_defect(std::string_view word, bool is_first);
+
 /// Whether every word outside comments is a plain number; the last one may be cut off.
 [[nodiscard]] bool only_numbers(std::string_view beginning);
 
@@ -98,6 +102,7 @@ class Collector {
 
  private:
   void settle(const Context& context);
+  void refuse_repeats(const Context& context) const;
 
   TokenTable table_;
   std::vector<Element> elements_;  // first by word, after settle() by element

@@ -6,6 +6,7 @@
 #include "changeover/io/formats.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
+#include "io/read/beginning.hpp"
 #include "io/read/point_blocks.hpp"
 #include "io/scan/text_scanner.hpp"
 
@@ -17,12 +18,15 @@ enum class Language : std::uint8_t { unknown, gap, sage };
 constexpr std::string_view third_argument =
     "a third argument, as for blocks developed under a group; write out all blocks";
 
-bool is_of_name(char c) { return is_letter(c) || c == '_' || is_digit(c); }
-
 class LiteralReader {
  public:
   LiteralReader(std::string_view text, const std::string& name)
-      : text_(without_byte_order_mark(text)), points_(text_, name) {}
+      : text_(without_byte_order_mark(text)), points_(text_, name) {
+    skip_blanks();
+    std::string_view rest = text_.substr(at_);
+    skip_prompt(rest);
+    at_ = text_.size() - rest.size();
+  }
 
   Design read(const ReadOptions& options) {
     std::string_view word = name("BlockDesign, IncidenceStructure or rec");
@@ -279,26 +283,14 @@ Design read_literal(Input& input, const ReadOptions& options) {
 
 bool begins_like_a_literal(std::string_view beginning) {
   beginning = without_byte_order_mark(beginning);
-  const auto skip = [&](std::string_view what) {
-    beginning.remove_prefix(std::min(beginning.find_first_not_of(what), beginning.size()));
-  };
-  const auto word = [&] {
-    const auto end = std::ranges::find_if_not(beginning, is_of_name);
-    const std::string_view found(beginning.data(),
-                                 static_cast<std::size_t>(end - beginning.begin()));
-    beginning.remove_prefix(found.size());
-    skip(" \t\r\n");
-    return found;
-  };
-  for (skip(" \t\r\n"); beginning.starts_with('#'); skip(" \t\r\n")) {
-    beginning.remove_prefix(std::min(beginning.find('\n'), beginning.size()));
-  }
-  std::string_view found = word();
-  if (beginning.starts_with(":=") || beginning.starts_with('=')) {
-    skip(":=");
-    skip(" \t\r\n");
-    found = word();
-  }
+  skip_comments(beginning);
+  skip_prompt(beginning);
+  skip_assignment(beginning);
+  const auto end = std::ranges::find_if_not(beginning, is_of_name);
+  const std::string_view found =
+      beginning.substr(0, static_cast<std::size_t>(end - beginning.begin()));
+  beginning.remove_prefix(found.size());
+  skip_comments(beginning);
   return beginning.starts_with('(') &&
          (found == "BlockDesign" || found == "IncidenceStructure" || found == "rec");
 }

@@ -71,6 +71,8 @@ std::optional<Design> read_whole(const Opened& opened, const ReadOptions& option
       return read_designtheory(*opened.input, options);
     case Format::literal:
       return read_literal(*opened.input, options);
+    case Format::brackets:
+      return read_brackets(*opened.input, options);
     case Format::text:
       break;
   }
@@ -84,6 +86,9 @@ Format guess_format(std::string_view beginning) {
   const std::size_t start = beginning.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos) {
     return Format::text;
+  }
+  if (begins_like_brackets(beginning)) {
+    return Format::brackets;
   }
   if (beginning[start] == '{' || beginning[start] == '[') {
     return Format::json;

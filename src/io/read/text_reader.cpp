@@ -232,7 +232,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
       if (item == TextScanner::Item::word) {
         Element element = table_.number(scanner_.number());
         if (element == TokenTable::none) {
-          element = look_up();
+          element = look_up(size == 0);
         }
         if (size == room) {
           scanner_.fail(scanner_.word_place(),
@@ -259,7 +259,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
     }
   }
 
-  Element look_up() {
+  Element look_up(bool is_first) {
     const std::string_view word = scanner_.word();
     const Element known = table_.find(word);
     if (known != TokenTable::none) {
@@ -280,6 +280,10 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
       fail(too_many_defect(word, declared_.v));
     } else if (const auto defect = word_defect(word)) {
       fail(*defect);
+    } else if (!header_place_) {
+      if (const auto loose = loose_word_defect(word, is_first)) {
+        fail(*loose);
+      }
     }
     return table_.add(word);
   }
