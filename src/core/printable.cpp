@@ -108,7 +108,7 @@ std::string shown(std::string_view word) {
 }
 
 std::string control_byte_defect(char byte) {
-  return fmt::format("control byte 0x{:02x}; the input must be plain text",
+  return fmt::format("control byte 0x{:02x}; give plain text in UTF-8",
                      static_cast<unsigned char>(byte));
 }
 
@@ -140,7 +140,7 @@ std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
     const auto number = static_cast<std::uint32_t>(point.value);
     if (point.value < 0xa0) {
       return TextDefect{
-          at, fmt::format("control character U+{:04X}; the input must be plain text", number)};
+          at, fmt::format("control character U+{:04X}; give plain text in UTF-8", number)};
     }
     if (turns_around(point.value)) {
       return TextDefect{

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
 
@@ -34,6 +36,17 @@ std::optional<ExpansionSet> odd_expansion_set(const Design& design, const Enlarg
   return set.size() % 2 == 0 ? std::nullopt : std::optional(std::move(set));
 }
 
+// The largest number below `end` that can be inserted.
+std::optional<std::uint64_t> most_new_elements(const Design& design, std::uint64_t end,
+                                               const CoverOptions& cover) {
+  for (std::uint64_t w = end; w-- > 1;) {
+    if (best_new_elements(design, w, w, cover)) {
+      return w;
+    }
+  }
+  return std::nullopt;
+}
+
 Enlarged by_cover(const Design& design, const EnlargeOptions& options) {
   if (design.k() == design.parameters().change) {
     throw MissingResource(
@@ -48,10 +61,11 @@ Enlarged by_cover(const Design& design, const EnlargeOptions& options) {
   const auto best =
       w == 0 ? best_new_elements(design, 1, most, cover) : best_new_elements(design, w, w, cover);
   if (!best) {
+    const auto fewer = most_new_elements(design, std::min(w, most + 1), cover);
     throw MissingResource(fmt::format(
-        "{} cannot be inserted: too few unchanged subsets, or they leave an element out; use "
-        "another design",
-        w == 0 ? "new elements" : count_of(w, "new element")));
+        "{} cannot be inserted: too few unchanged subsets, or they leave an element out; {}",
+        w == 0 ? "new elements" : count_of(w, "new element"),
+        fewer ? fmt::format("at most {} can be", *fewer) : "use another design"));
   }
   return {.design = expand_by(design, best->cover, best->w, options.factorization),
           .at = best->cover.subsets,

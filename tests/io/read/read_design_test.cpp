@@ -109,7 +109,7 @@ class EndlessBytes final : public Input {
 
 TEST(ReadDesignTest, ADeviceThatNeverEndsIsRefusedAtItsFirstBytes) {
   EXPECT_EQ(message_of([] { (void)read_design("/dev/zero"); }),
-            "/dev/zero:1:1: control byte 0x00; the input must be plain text");
+            "/dev/zero:1:1: control byte 0x00; give plain text in UTF-8");
   for (const std::string& unit :
        {std::string("{\0", 2), std::string("a,b\x01"), std::string("\x7f")}) {
     EXPECT_NE(message_of([&] {

@@ -115,7 +115,7 @@ TEST(CsvTest, EachFaultHasItsLineColumnAndRemedy) {
       {"0,\"1\"2\n", "f:1:6: text after a closing quote; double each quote within quotes"},
       {"0,1\r2,3\n", "f:1:4: carriage return inside a line; end lines with LF or CR LF"},
       {"# a\r0,1\r", "f:1:4: carriage return inside a line; end lines with LF or CR LF"},
-      {std::string("0,\0", 3), "f:1:3: control byte 0x00; the input must be plain text"},
+      {std::string("0,\0", 3), "f:1:3: control byte 0x00; give plain text in UTF-8"},
       {"a,b c\n", "f:1:3: a name with a blank or control character; use '_' or '-' instead"},
       {"a,\"b,c\"\n",
        "f:1:3: a name with a comma, which not every format can carry; use another character"},

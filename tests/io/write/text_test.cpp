@@ -161,10 +161,10 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
       {"ab " + long_word + "\n",
        "f:1:4: a word of more than 255 bytes; elements are separated by "
        "blanks and blocks by line ends"},
-      {std::string("0 1\n0\0001\n", 9), "f:2:2: control byte 0x00; the input must be plain text"},
-      {"0 1\n\x01\n", "f:2:1: control byte 0x01; the input must be plain text"},
-      {"0 a\x7f\n", "f:1:4: control byte 0x7f; the input must be plain text"},
-      {"# \x02\n0 1\n", "f:1:3: control byte 0x02; the input must be plain text"},
+      {std::string("0 1\n0\0001\n", 9), "f:2:2: control byte 0x00; give plain text in UTF-8"},
+      {"0 1\n\x01\n", "f:2:1: control byte 0x01; give plain text in UTF-8"},
+      {"0 a\x7f\n", "f:1:4: control byte 0x7f; give plain text in UTF-8"},
+      {"# \x02\n0 1\n", "f:1:3: control byte 0x02; give plain text in UTF-8"},
       {"0 1\r2 3\n", "f:1:4: carriage return inside a line; end lines with LF or CR LF"},
       {"# a\r0 1\r", "f:1:4: carriage return inside a line; end lines with LF or CR LF"},
       {"# changeover design v=0\n0 1\n",
@@ -301,7 +301,7 @@ TEST(TextTest, HugeLinesAreRefusedEarlyAndHugeBlanksSkipped) {
             "endless:1:100000001: no blocks; give one block per line, its elements "
             "separated by blanks");
   EXPECT_EQ(endless(std::string(1, '\0')),
-            "endless:1:1: control byte 0x00; the input must be plain text");
+            "endless:1:1: control byte 0x00; give plain text in UTF-8");
 
   std::string line;
   for (int i = 0; i < 65'536; ++i) {

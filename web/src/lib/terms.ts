@@ -72,13 +72,16 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
   ['covered', terms.covered],
   [
     'newly covered',
-    'a pair is newly covered in a block if it was not together in the block before',
+    'a pair in a block is newly covered there if it was not together in the block before; in the first block of a linear design every pair is',
   ],
   ['lower bound', terms.bound],
   ['gap', 'number of blocks of the best known design minus the lower bound'],
   ['minimum', terms.minimum],
   ['best known', 'the design with the fewest blocks that is known; one with fewer may exist'],
-  ['open', 'no design with that many blocks is known, and none is excluded'],
+  [
+    'open',
+    'of a number of blocks: no design with so many is known, and none is excluded; of a cell: its minimum is not known',
+  ],
   ['tight', 'every pair is newly covered exactly once'],
   ['economical', terms.economical],
   ['excess', terms.excess],

@@ -23,7 +23,8 @@ Answer run(const CiteRequest& request) {
   if (const std::string reference = bibtex_of(request.label); !reference.empty()) {
     return text_answer(reference, request.output);
   }
-  const auto entry = catalog.find(request.label);
+  const auto cell = parse_cell_label(request.label);
+  const auto entry = cell ? catalog.best(*cell) : catalog.find(request.label);
   if (!entry) {
     throw MissingResource(has_no_design(request.label) + left_out());
   }
@@ -36,7 +37,8 @@ void add_catalog_cite(Program& program) {
   auto [verb, request] = program.add<CiteRequest>(
       "catalog-cite", "write BibTeX of a design and its sources, or of the whole catalog", run);
   verb.positional("LABEL", request.label,
-                  "label of a design, or a key of docs/references.bib (default: the whole catalog)",
+                  "label of a design or of a cell, whose best design is cited, or a key of "
+                  "docs/references.bib (default: the whole catalog)",
                   false);
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"bibtex"});
