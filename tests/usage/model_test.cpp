@@ -163,7 +163,7 @@ TEST(ModelUsage, WhatWasDoneIsTakenFromSeedsAndSheets) {
       "OS,Browser,Locale,result\nDebian,Firefox,de,pass\nFedora,Opera,en,pass\nWindows,Edge,ja,fail\n");
   const std::string shop = "$changeover plan --test-cost 2 --change-cost 1 --model m.txt" + few;
   expect(
-      {{shop + " --done done.csv", 0, "no longer in the parts list, and left out: Browser: Opera"},
+      {{shop + " --done done.csv", 0, "no longer in the model, and left out: Browser: Opera"},
        {shop + " --done done.csv", 0, "3 pairs met only in tests that failed"},
        {"$changeover plan --test-cost 2 --change-cost 1 --model m.txt --quiet --done done.csv --diagnose",
         0, "Diagnosis of 3 tests"},

@@ -21,6 +21,7 @@
 #include "plan/job/parts/heading_words.hpp"
 #include "plan/job/setups/extra_rows.hpp"
 #include "plan/job/setups/first_noted.hpp"
+#include "plan/job/setups/gone_parameters.hpp"
 #include "plan/job/setups/other_results.hpp"
 #include "plan/job/setups/setup_columns.hpp"
 #include "plan/job/setups/setup_list.hpp"
@@ -146,6 +147,7 @@ class SetupReader {
       extra_rows_.say(list_);
       say_what_is_a_comment();
       say_what_was_taken();
+      gone_parameters_.say(reader_, list_);
       steps_.put_in_order(list_, header_, columns_, reader_);
       other_results_.say(list_, header_, reader_);
       if (evidence_) {
@@ -216,6 +218,9 @@ class SetupReader {
   [[nodiscard]] bool is_part_in(std::size_t column, const std::string& text) const {
     const auto place = std::ranges::find(columns_.slots, column);
     const auto at = static_cast<std::size_t>(place - columns_.slots.begin());
+    if (columns_.is_gone(at)) {
+      return false;
+    }
     if (at < columns_.parameters.size()) {
       return finder_.model()->value(columns_.parameters[at], text_of(text)).has_value();
     }
@@ -265,6 +270,9 @@ class SetupReader {
       }
       check_header(header_, columns_, reader_);
       check_parameters();
+      if (forgiving_ && !reader_.is_given()) {
+        gone_parameters_.find(header_, finder_, reader_, columns_);
+      }
       list_.places = places_of(columns_, header_, finder_);
       other_results_.find(header_, columns_);
       if (forgiving_ && !reader_.is_given() && !columns_.slots.empty()) {
@@ -392,7 +400,11 @@ class SetupReader {
     for (std::size_t c = 0; c < columns_.slots.size() && columns_.slots[c] < row.size(); ++c) {
       Field& slot = slots.emplace_back(std::move(row[columns_.slots[c]]));
       const std::string text = text_of(slot.text);
-      if (c < columns_.parameters.size()) {
+      if (columns_.is_gone(c)) {
+        gone_parameters_.take(c, text);
+        done.written.push_back(text);
+        slot.text.clear();
+      } else if (c < columns_.parameters.size()) {
         const std::size_t parameter = columns_.parameters[c];
         done.written.emplace_back(finder_.model()->without_parameter(parameter, text));
         name_value(finder_, parameter, text, slot);
@@ -476,6 +488,7 @@ class SetupReader {
   StepNumbers steps_;
   ExtraRows extra_rows_;
   OtherResults other_results_;
+  GoneParameters gone_parameters_;
   std::optional<SheetEvidence> evidence_;  // of a run sheet with a column for each place
   std::unordered_set<std::string> gone_;
   std::optional<BadInput> merged_;  // the first cells merged in a row without a result

@@ -436,7 +436,8 @@ class DoneTaker {
           large_ == 1 ? "it counts" : "they count"));
     }
     if (!list_.gone.empty()) {
-      notes.push_back(gone_note(name_, list_.gone));
+      notes.push_back(gone_note(name_, list_.gone,
+                                job_->model != nullptr ? GoneFrom::model : GoneFrom::parts_list));
     }
     for (const std::string& bench : no_benches_) {
       notes.push_back(

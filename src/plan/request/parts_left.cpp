@@ -91,13 +91,15 @@ std::string unknown_part_defect(const std::string& list, const std::string& gone
                      PartFinder(names).complaint(has_place ? gone.substr(0, place) : gone));
 }
 
-std::string gone_note(const std::string& name, const std::vector<std::string>& gone) {
+std::string gone_note(const std::string& name, const std::vector<std::string>& gone,
+                      GoneFrom from) {
   constexpr std::size_t few = 10;
   std::string names = joined(gone | std::views::take(few));
   if (gone.size() > few) {
     names += fmt::format(" and {} more", gone.size() - few);
   }
-  return fmt::format("{}: no longer in the parts list, and left out: {}", name, names);
+  return fmt::format("{}: no longer in the {}, and left out: {}", name,
+                     from == GoneFrom::model ? "model" : "parts list", names);
 }
 
 }  // namespace changeover

@@ -62,8 +62,11 @@ class PartsLeft {
 [[nodiscard]] std::string unknown_part_defect(const std::string& list, const std::string& gone,
                                               const std::vector<std::string>& names);
 
+enum class GoneFrom { parts_list, model };
+
 /// A note on removed parts (at least one): "sheet.csv: no longer in the parts list, and left out:
 /// A, B".
-[[nodiscard]] std::string gone_note(const std::string& name, const std::vector<std::string>& gone);
+[[nodiscard]] std::string gone_note(const std::string& name, const std::vector<std::string>& gone,
+                                    GoneFrom from = GoneFrom::parts_list);
 
 }  // namespace changeover

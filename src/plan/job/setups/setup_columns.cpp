@@ -56,7 +56,7 @@ std::optional<std::size_t> first_column(const Heads& heads, const std::vector<bo
 // Whether a head is one of ours that is so.
 auto is_own(bool OwnHead::*so) {
   return [so](std::string_view head) {
-    const OwnHead* const own = own_head(in_our_letters(head));
+    const OwnHead* const own = own_head_meant(head);
     return own != nullptr && own->*so;
   };
 }
@@ -203,15 +203,37 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_g
 
 std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
                                  const PartFinder& finder) {
-  std::vector<DonePlace> places = each_of<DonePlace>(columns.parameters, [&](const std::size_t p) {
-    return DonePlace{.number = p + 1, .slot = finder.model()->model().parameters[p].name};
-  });
-  for (const std::size_t i : columns.slots) {
+  std::vector<DonePlace> places;
+  std::size_t next = columns.parameters.empty() ? 0 : finder.model()->model().parameters.size();
+  for (std::size_t i = 0; i < columns.slots.size(); ++i) {
+    const std::string& head = header[columns.slots[i]].text;
     if (columns.parameters.empty()) {
-      places.push_back(*place_in(header[i].text));
+      places.push_back(*place_in(head));
+    } else if (columns.is_gone(i)) {
+      places.push_back({.number = ++next, .slot = parameter_in(head)});
+    } else {
+      const std::size_t p = columns.parameters[i];
+      places.push_back({.number = p + 1, .slot = finder.model()->model().parameters[p].name});
     }
   }
   return places;
+}
+
+std::vector<std::string> parameters_without_column(const SetupColumns& columns,
+                                                   const Model& model) {
+  std::vector<std::string> without;
+  for (std::size_t p = 0; p < model.parameters.size(); ++p) {
+    if (!contains(columns.parameters, p)) {
+      without.push_back(model.parameters[p].name);
+    }
+  }
+  return without;
+}
+
+std::string parameter_in(std::string_view head) {
+  const std::string text(csv_text(head));
+  const auto place = place_in(text);
+  return place && !place->slot.empty() ? place->slot : text;
 }
 
 const OwnHead* own_head(std::string_view head) {
@@ -234,6 +256,8 @@ const OwnHead* own_head(std::string_view head) {
   const auto found = std::ranges::find(heads, head, &OwnHead::head);
   return found == heads.end() ? nullptr : &*found;
 }
+
+const OwnHead* own_head_meant(std::string_view head) { return own_head(in_our_letters(head)); }
 
 bool is_head_beside_values(std::string_view name) {
   constexpr auto beside = std::to_array<std::string_view>(

@@ -19,13 +19,19 @@ namespace changeover {
 struct SetupColumns {
   std::optional<std::size_t> list;      // all parts in one field
   std::vector<std::size_t> slots;       // one part in each; increasing
-  std::vector<std::size_t> parameters;  // for a model, by slot: the fields with its values
+  std::vector<std::size_t> parameters;  // for a model, by slot: the one whose values it has
   std::optional<std::size_t> step;
   std::optional<std::size_t> result;
   std::optional<std::size_t> notes;
   std::optional<std::size_t> bench;
   bool header = false;  // the first row is a header
 
+  // In place of a parameter: the model has that of the column no more.
+  static constexpr std::size_t gone = ~std::size_t{0};
+
+  [[nodiscard]] bool is_gone(std::size_t slot) const {
+    return slot < parameters.size() && parameters[slot] == gone;
+  }
   [[nodiscard]] bool have(std::size_t column) const {
     return contains(slots, column) || column == list || column == step || column == result ||
            column == notes || column == bench;
@@ -49,6 +55,13 @@ struct SetupColumns {
 /// The place of "slot_7", or of "slot_7 CPU"; also as people write it, "Slot 7".
 [[nodiscard]] std::optional<DonePlace> place_in(std::string_view head);
 
+/// The names of the parameters of the model that have no column.
+[[nodiscard]] std::vector<std::string> parameters_without_column(const SetupColumns& columns,
+                                                                 const Model& model);
+
+/// What a column of a model calls its parameter: "OS", also of "slot_3 OS".
+[[nodiscard]] std::string parameter_in(std::string_view head);
+
 /// The heads of a table, by column; "" for a column without a head.
 using Heads = std::vector<std::string>;
 
@@ -62,6 +75,8 @@ struct OwnHead {
 };
 /// That of these words, letter by letter; null for other heads.
 [[nodiscard]] const OwnHead* own_head(std::string_view head);
+/// The same in any case and with blanks: "New pairs".
+[[nodiscard]] const OwnHead* own_head_meant(std::string_view head);
 
 /// Whether a run sheet has a column of this name, in whatever case, so that a parameter of the name
 /// is headed "slot_1 Step" there.

@@ -151,7 +151,7 @@ void SheetEvidence::take(const Row& row, const DoneRow& done, const FindPart& fi
       {.out = all_parts_in(row, take_out_, find), .in = all_parts_in(row, put_in_, find)});
   Doubt doubt{.line = done.line, .at = {}, .what = {}, .put_in = {}, .empty = {}};
   for (std::size_t i = 0; i < done.written.size(); ++i) {
-    if (!is_there(done, i)) {
+    if (!is_there(done, i) && !columns_->is_gone(i)) {
       doubt.empty.push_back(i);
     } else {
       is_used_[i] = true;
@@ -312,13 +312,8 @@ void SheetEvidence::judge_heads(DoneList& list) const {
 
 // Every test of a model has a value of each parameter.
 void SheetEvidence::judge_parameters(DoneList& list) const {
-  const std::vector<ModelParameter>& parameters = finder_->model()->model().parameters;
-  std::vector<std::string> without;
-  for (std::size_t p = 0; p < parameters.size(); ++p) {
-    if (!contains(columns_->parameters, p)) {
-      without.push_back(parameters[p].name);
-    }
-  }
+  const std::vector<std::string> without =
+      parameters_without_column(*columns_, finder_->model()->model());
   if (!without.empty()) {
     list.notes.push_back(fmt::format(
         "{}: no column has the values of {}, whose pairs do not count; add one if they were set",

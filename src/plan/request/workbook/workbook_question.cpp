@@ -11,6 +11,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "changeover/plan/model.hpp"
 #include "core/contains.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
@@ -24,8 +25,10 @@
 #include "plan/job/parts/heading_words.hpp"
 #include "plan/job/setups/step_numbers.hpp"
 #include "plan/request/asked_benches.hpp"
+#include "plan/request/parts_left.hpp"
 #include "plan/request/workbook/bench_tabs.hpp"
 #include "plan/request/workbook/changed_lists.hpp"
+#include "plan/request/workbook/changed_model.hpp"
 #include "plan/request/workbook/run_workbook.hpp"
 #include "plan/request/workbook/sheets_agree.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
@@ -388,6 +391,32 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWor
   }
 }
 
+// Another model than that of the question may lack values which the lists of the question name.
+void take_other_model(JobRequest& request, JobRequest& question, const std::string& book,
+                      bool has_costs_of_book, std::vector<std::string>& notes) {
+  if (request.model.file == "-") {
+    return;  // it can be read only once
+  }
+  const auto read = [](const RequestList& list) {
+    return read_model(*open(list, option_of(job_table(), "model").record, "model"));
+  };
+  const Model model = read(request.model);
+  const Job before = job_of(read(question.model), Amount{}, Amount{});  // with all values
+  JobRequest lists = question;
+  if (has_costs_of_book && request.change_costs.rows) {
+    lists.change_costs = request.change_costs;
+  }
+  const std::vector<std::string> gone = fit_to_model(lists, before, model);
+  if (gone.empty()) {
+    return;
+  }
+  if (has_costs_of_book && request.change_costs.rows) {
+    request.change_costs = lists.change_costs;
+  }
+  question = std::move(lists);
+  notes.push_back(gone_note(book, gone, GoneFrom::model));
+}
+
 // The question of the workbook comes first, then what was filled in.
 JobRequest with_question(JobRequest request, const RunWorkbook& book,
                          std::vector<std::string>& notes, JobRequest& kept) {
@@ -443,7 +472,11 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
     }
   }
   const CheckedJobRequest as_made = checked_job(question, Door::document);
+  const bool has_costs = request.change_costs.is_given();
   take_changed_sheets(request, question, book, *as_made->job, notes);
+  if (request.model.is_given() && as_made->job->model != nullptr) {
+    take_other_model(request, question, book.name, !has_costs, notes);
+  }
   if (request.what_if && question.benches.is_given()) {
     notes.push_back(book.name +
                     ": its question is of several benches; the ratios are those of all "

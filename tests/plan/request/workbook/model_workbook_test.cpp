@@ -87,5 +87,42 @@ TEST_F(ModelWorkbook, AWrongCostIsSaidWithItsPlace) {
               HasSubstr("parts:Costs!B9: OS has no value 'Arch'"));
 }
 
+// Everything in the workbook names what the model has no more: costs, pairs, benches, results.
+TEST_F(ModelWorkbook, AParameterThatWasTakenOutOfTheModelIsLeftOut) {
+  request.change_costs.text = "OS,3\nOS,ARM,quantity,1\nBrowser,1\nLocale,1\nLocale,de,en,4\n";
+  request.never.text = "de,ARM\nen,Edge\nDebian,Edge\n";
+  request.benches.text = "bench,without,mounted,down\nX,\"ARM,de\",,\nY,,en,\n";
+  const std::string bytes = filled_in(planned(), {"pass", "pass", "fail"}, "X");
+  JobRequest other;
+  other.model.text = "OS: Debian, Fedora, ARM\nBrowser: Firefox, Edge\n";
+  const OpenedRequest again = opened(bytes, other);
+  EXPECT_THAT(again.notes, Contains("parts: no longer in the model, and left out: Locale: de, "
+                                    "Locale: en, Locale"));
+  planned(again);
+  EXPECT_THAT(asked.notes,
+              Contains(HasSubstr("the parameter 'Locale' is no longer in the model, so its")));
+  const Job& job = *asked.job;
+  EXPECT_EQ(job.parts(), 5U);
+  EXPECT_EQ(job.never.size(), 1U);
+  ASSERT_FALSE(asked.done.empty());
+  EXPECT_EQ(asked.benches[0].tests_done, asked.done.size());
+  // The state of the bench is that of its last test, and Y has nothing any more that stays.
+  const auto& last = asked.done.back().setup;
+  EXPECT_EQ(last.size(), 2U);
+  EXPECT_EQ(asked.benches[0].start, last);
+  EXPECT_THAT(asked.benches[1].mounted.value_or(Block()), IsEmpty());
+}
+
+TEST_F(ModelWorkbook, ValuesThatWereLeftOutBeforeMayBeGoneFromTheModel) {
+  request.benches = {};
+  request.without = {"Locale: en"};
+  request.start = {"Debian", "de"};
+  const std::string bytes = planned();
+  JobRequest other;
+  other.model.text = "OS: Debian, Fedora, ARM\nBrowser: Firefox, Edge\n";
+  planned(opened(bytes, other));
+  EXPECT_THAT(asked.job->start, ElementsAre(0));
+}
+
 }  // namespace
 }  // namespace changeover::model_workbook_test

@@ -1,0 +1,113 @@
+#include "plan/job/setups/gone_parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/contains.hpp"
+#include "core/each.hpp"
+#include "core/printable.hpp"
+#include "core/spelling.hpp"
+#include "core/words.hpp"
+#include "plan/job/parts/heading_words.hpp"
+
+namespace changeover {
+namespace {
+
+// Where unknown heads are those of parameters: behind what the program writes before them, and
+// before what it writes behind them. Beyond that, columns are of the user's own.
+std::pair<std::size_t, std::size_t> among_parameters(const Heads& heads,
+                                                     const SetupColumns& columns) {
+  const auto is_other = [&](std::size_t i) {
+    return (columns.have(i) && !contains(columns.slots, i)) ||
+           own_head_meant(heads[i]) != nullptr || heads_results(heads[i]) ||
+           heads_steps(heads[i]) || heads_occasions(heads[i]);
+  };
+  std::size_t begin = columns.slots.front();
+  for (std::size_t i = begin; i-- > 0;) {
+    const OwnHead* const own = own_head_meant(heads[i]);
+    if (i == columns.step || (own != nullptr && own->is_planned)) {
+      begin = i + 1;
+      break;
+    }
+  }
+  std::size_t end = columns.slots.back() + 1;
+  while (end < heads.size() && !is_other(end)) {
+    ++end;
+  }
+  return {begin, end < heads.size() ? end : columns.slots.back() + 1};
+}
+
+// The parameter that was meant by a name, if there was a slip.
+std::optional<std::string> misspelled(const std::string& name,
+                                      const std::vector<std::string>& parameters) {
+  const auto small = each_of<std::string>(parameters, lower_case);
+  const auto nearest = nearest_word(lower_case(name), small);
+  return nearest ? std::optional(parameters[static_cast<std::size_t>(
+                       std::ranges::find(small, *nearest) - small.begin())])
+                 : std::nullopt;
+}
+
+}  // namespace
+
+void GoneParameters::find(const Row& header, const PartFinder& finder, const RowReader& reader,
+                          SetupColumns& columns) {
+  if (columns.parameters.empty()) {
+    return;
+  }
+  names_ = finder.model();
+  const Heads heads = each_of<std::string>(header, &Field::text);
+  const std::vector<std::string> others = parameters_without_column(columns, names_->model());
+  std::vector<std::size_t> may_be;
+  for (const std::string& name : others) {
+    may_be.push_back(*names_->parameter(name));
+  }
+  const auto [begin, end] = among_parameters(heads, columns);
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    const std::string name = parameter_in(heads[i]);
+    const bool is_among = begin <= i && i < end && !name.empty();
+    if ((!is_among && name == csv_text(heads[i])) || columns.have(i) || names_->parameter(name) ||
+        own_head_meant(heads[i]) != nullptr) {
+      continue;
+    }
+    if (const auto meant = misspelled(name, others)) {
+      reader.fail(header[i], fmt::format("no parameter is called {}; did you mean {}? if it is "
+                                         "another one, rename the column",
+                                         shown(name), shown(*meant)));
+    }
+    const auto at = std::ranges::lower_bound(columns.slots, i) - columns.slots.begin();
+    columns.slots.insert(columns.slots.begin() + at, i);
+    columns.parameters.insert(columns.parameters.begin() + at, SetupColumns::gone);
+    columns_.push_back({.slot = 0, .head = &header[i], .may_be = may_be});
+  }
+  std::size_t next = 0;
+  for (std::size_t slot = 0; slot < columns.slots.size(); ++slot) {
+    if (columns.is_gone(slot)) {
+      columns_[next++].slot = slot;
+    }
+  }
+}
+
+void GoneParameters::take(std::size_t slot, const std::string& text) {
+  Column& column = *std::ranges::find(columns_, slot, &Column::slot);
+  if (!text.empty()) {
+    column.has_values = true;
+    std::erase_if(column.may_be, [&](std::size_t p) { return !names_->value(p, text); });
+  }
+}
+
+void GoneParameters::say(const RowReader& reader, DoneList& list) const {
+  for (const Column& column : columns_) {
+    std::string instead;
+    if (column.has_values && !column.may_be.empty()) {
+      const std::string& name = names_->model().parameters[column.may_be.front()].name;
+      instead = fmt::format("; if it is {}, whose values it has, head it so", shown(name));
+    }
+    list.notes.push_back(
+        fmt::format("{}: the parameter {} is no longer in the model, so its column is not read{}",
+                    reader.place(*column.head), shown(parameter_in(column.head->text)), instead));
+  }
+}
+
+}  // namespace changeover

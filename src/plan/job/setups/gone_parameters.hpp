@@ -1,0 +1,43 @@
+// Columns of parameters that a model had when its run sheet was written, and has no more.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "changeover/plan/job.hpp"
+#include "io/scan/row_reader.hpp"
+#include "plan/job/part_finder.hpp"
+#include "plan/job/setups/setup_columns.hpp"
+
+namespace changeover {
+
+/// Such a column has an unknown head among those of parameters, or one as "slot_3 OS". Its values
+/// are kept as written; the tests count for what the model still has.
+class GoneParameters {
+ public:
+  /// Adds the columns of a header to `columns`; those of no model stay as they are. The header and
+  /// the finder must outlive this. O(heads · parameters)
+  /// @throws BadInput with the head of one that a parameter without a column has, but for a slip
+  void find(const Row& header, const PartFinder& finder, const RowReader& reader,
+            SetupColumns& columns);
+
+  /// Looks at what is in such a column.
+  void take(std::size_t slot, const std::string& text);
+
+  /// Notes each column, and which parameter it may be instead, if all of its values are its own.
+  void say(const RowReader& reader, DoneList& list) const;
+
+ private:
+  struct Column {
+    std::size_t slot = 0;
+    const Field* head = nullptr;
+    std::vector<std::size_t> may_be;  // parameters without a column that have all values here
+    bool has_values = false;
+  };
+
+  const ModelNames* names_ = nullptr;
+  std::vector<Column> columns_;
+};
+
+}  // namespace changeover

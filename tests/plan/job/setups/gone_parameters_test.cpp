@@ -1,0 +1,105 @@
+// Run sheets of a model that has lost a parameter since.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/job.hpp"
+#include "changeover/plan/model.hpp"
+
+namespace changeover::gone_parameters_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Job job(const std::string& model) {
+  return job_of(read_model(*input_from_text(model, "m.txt")), {}, {});
+}
+
+DoneList read(const std::string& text, const std::string& model) {
+  return read_done(*input_from_text(text, "d.csv"), job(model));
+}
+
+std::string fault(const std::string& text, const std::string& model) {
+  try {
+    static_cast<void>(read(text, model));
+  } catch (const BadInput& bad) {
+    return bad.what();
+  }
+  return "none";
+}
+
+// As the program writes it of OS, Browser, Lang and Disk.
+constexpr const char* sheet =
+    "step,set,OS,Browser,Lang,Disk,new_pairs,cost,cost_so_far,result,notes\n"
+    "1,\"OS: Arch, Browser: Edge, Lang: de, Disk: 1\",Arch,Edge,de,1,6,4,4,pass,\n"
+    "2,\"OS: BSD, Lang: en\",BSD,Edge,en,1,5,3,7,fail,\n";
+
+TEST(GoneParameters, AColumnOfOneIsNotReadAndItsTestsCount) {
+  const DoneList list = read(sheet, "OS: Arch, BSD\nBrowser: Edge, Opera\nDisk: 1, 2\n");
+  EXPECT_THAT(list.notes, ElementsAre("d.csv:1:21: the parameter 'Lang' is no longer in the "
+                                      "model, so its column is not read"));
+  ASSERT_EQ(list.rows.size(), 2U);
+  EXPECT_THAT(list.rows[0].setup, ElementsAre(0, 2, 4));
+  EXPECT_THAT(list.rows[1].setup, ElementsAre(1, 2, 4));
+  EXPECT_EQ(list.rows[1].result, "fail");
+  // What it had is kept for the sheet of tests that were done.
+  EXPECT_THAT(list.rows[1].written, ElementsAre("BSD", "Edge", "en", "1"));
+  ASSERT_EQ(list.places.size(), 4U);
+  EXPECT_EQ(list.places[2].slot, "Lang");
+  EXPECT_EQ(list.places[2].number, 4U);
+}
+
+TEST(GoneParameters, TheFirstAndTheLastOfThemAreFoundToo) {
+  for (const std::string gone : {"OS", "Disk"}) {
+    std::string model = "OS: Arch, BSD\nBrowser: Edge, Opera\nLang: de, en\nDisk: 1, 2\n";
+    const std::size_t begin = model.find(gone + ":");
+    model.erase(begin, model.find('\n', begin) + 1 - begin);
+    EXPECT_THAT(read(sheet, model).notes,
+                ElementsAre(HasSubstr("the parameter '" + gone + "' is no longer in the model")));
+  }
+}
+
+TEST(GoneParameters, TheSheetOfTestsThatWereDoneHasThemAsPlaces) {
+  const DoneList list =
+      read("step,slot_1 OS,slot_3 Lang,slot_2 Browser,result\n1,Arch,de,Edge,pass\n",
+           "OS: Arch, BSD\nBrowser: Edge, Opera\n");
+  EXPECT_THAT(list.notes, ElementsAre(HasSubstr("d.csv:1:16: the parameter 'Lang' is no longer")));
+  EXPECT_THAT(list.rows[0].setup, ElementsAre(0, 2));
+}
+
+TEST(GoneParameters, AMisspelledOneIsRefused) {
+  const std::string model = "OS: Arch, BSD\nBrowser: Edge, Opera\nLang: de, en\nDisk: 1, 2\n";
+  std::string text = sheet;
+  text.replace(text.find("Browser"), 7, "Brwoser");
+  EXPECT_EQ(fault(text, model),
+            "d.csv:1:13: no parameter is called 'Brwoser'; did you mean 'Browser'? if it is "
+            "another one, rename the column");
+  EXPECT_EQ(fault(sheet, model), "none");
+}
+
+TEST(GoneParameters, OneWithTheValuesOfAnotherIsNotedWithIt) {
+  const DoneList list = read(sheet,
+                             "System: Arch, BSD\nBrowser: Edge, Opera\nLang: de, en\n"
+                             "Disk: 1, 2\n");
+  EXPECT_THAT(list.notes,
+              ElementsAre("d.csv:1:10: the parameter 'OS' is no longer in the model, so its column "
+                          "is not read; if it is 'System', whose values it has, head it so",
+                          HasSubstr("no column has the values of 'System'")));
+}
+
+TEST(GoneParameters, ColumnsOfTheUserAreNoParameters) {
+  const std::string model = "OS: Arch, BSD\nBrowser: Edge, Opera\n";
+  EXPECT_THAT(read("Tester,OS,Browser,result,Rack\nAnn,Arch,Edge,pass,7\n", model).notes,
+              IsEmpty());
+  EXPECT_THAT(read("OS,Browser,Remark\nArch,Edge,slow\n", model).notes, IsEmpty());
+  EXPECT_THAT(
+      read("step,set,OS,Browser,new_pairs,Tester,result\n1,,Arch,Edge,1,Ann,pass\n", model).notes,
+      IsEmpty());
+}
+
+}  // namespace
+}  // namespace changeover::gone_parameters_test
