@@ -338,6 +338,10 @@ TEST(Plan, GoesOnWhenPartsDieOrComeAndResultsAreFilledIn) {
            "$changeover plan died.csv -k 3 --test-cost 4 --done smoke.csv --diagnose",
            0, "smoke.csv: 1 test failed with a part that is gone"},
           {plan("came.csv --done sheet.csv --done-first 2"), 0, "after 2 tests done"},
+          {plan("parts.csv --mounted A,E --without E"), 0,
+           "--mounted: left out from now on, by --without, so not mounted: E"},
+          {"printf 'A,E,B\\nE\\n' | " + plan("parts.csv --first - --without E"), 0,
+           "<stdin>: left out from now on, so not in its set-ups: E"},
           {"sed -e '2s/$/pass/' -e '3s/$/smoke/' sheet.csv > filled.csv && " +
                plan("parts.csv --done filled.csv"),
            0, "tests have a result and are done"},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "core/contains.hpp"
@@ -28,6 +29,38 @@ void check_mounted_left(const Bench& bench, const std::string& name, const std::
           "change its column mounted",
           list, shown(name), options.all_values->names[x]));
     }
+  }
+}
+
+// The first set-ups of a model. None can have a value that is left out from now on.
+std::vector<Block> first_of_model(Input& input, const OldListOptions& options, const Job& job) {
+  DoneList list = read_first_list(input, *options.all_values, job.at_once);
+  for (DoneRow& row : list.rows) {
+    for (const Element x : row.setup) {
+      if ((*options.left)(Block{x}).empty()) {
+        fail(input.name(), {row.line, 1},
+             fmt::format("{} is left out from now on; set another value, or leave this one open",
+                         options.all_values->names[x]));
+      }
+    }
+    row.setup = (*options.left)(row.setup);
+  }
+  return checked_first(input.name(), std::move(list), job);
+}
+
+// Parts that broke are in no set-up.
+void note_left_out(const std::string& name, const DoneList& list, const OldListOptions& options) {
+  Block without;
+  for (const DoneRow& row : list.rows) {
+    for (const Element x : row.setup) {
+      if ((*options.left)(Block{x}).empty() && !contains(without, x)) {
+        without.push_back(x);
+      }
+    }
+  }
+  if (!without.empty() && options.notes != nullptr) {
+    options.notes->push_back(fmt::format("{}: left out from now on, so not in its set-ups: {}",
+                                         name, parts_text(without, *options.names)));
   }
 }
 
@@ -75,11 +108,12 @@ void check_benches(const Job& job, const std::vector<Bench>& benches, const std:
 void take_first(Input& input, const OldListOptions& options, Job& job,
                 std::vector<Bench>& benches) {
   if (job.model != nullptr) {
-    job.first = read_first(input, job);
+    job.first = first_of_model(input, options, job);
     return;
   }
   const DoneList list =
       read_first_list(input, *options.names, most_at_once(job, benches), options.gone);
+  note_left_out(input.name(), list, options);
   for (const DoneRow& row : list.rows) {
     const Place place{row.line, 1};
     const Block setup = (*options.left)(row.setup);

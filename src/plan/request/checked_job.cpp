@@ -14,6 +14,7 @@
 #include "io/request/request_document.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/request/asked_benches.hpp"
+#include "plan/request/asked_slots.hpp"
 #include "plan/request/done_tests.hpp"
 #include "plan/request/parts_left.hpp"
 #include "plan/request/question.hpp"
@@ -84,6 +85,18 @@ class JobMaker {
   [[nodiscard]] Block named(std::string_view key, const std::vector<std::string>& words) const {
     return left_(called(key, words));
   }
+  // What stays mounted, but for what broke.
+  Block mounted_left() {
+    Block mounted = called("mounted", question_->mounted);
+    const Block left = left_(mounted);
+    if (left.size() < mounted.size()) {
+      std::erase_if(mounted, [&](Element x) { return !left_(Block{x}).empty(); });
+      notes_.push_back(fmt::format("{}: left out from now on, by {}, so not mounted: {}",
+                                   question_.key("mounted"), question_.key("without"),
+                                   parts_text(mounted, names_)));
+    }
+    return left;
+  }
   PairSet pairs_of(Input& input, PairReasons* why) {
     return all_values_ ? read_pairs(input, *all_values_, why)
                        : read_old(input, [why](Input& list, const auto& names, auto* gone) {
@@ -139,7 +152,7 @@ class JobMaker {
       take_unit(CostUnit::none);
       return;
     }
-    std::vector<Slot> slots = slots_asked();
+    std::vector<Slot> slots = slots_asked(question_);
     PartListOptions options{.header = asked.header      ? Header::given
                                       : asked.no_header ? Header::none
                                                         : Header::guessed,
@@ -280,15 +293,6 @@ class JobMaker {
     }
   }
 
-  [[nodiscard]] std::vector<Slot> slots_asked() const {
-    const JobRequest& asked = *question_;
-    if (asked.slots.is_given()) {
-      return read_slots(*question_.open("slots", asked.slots));
-    }
-    return asked.slot.empty() ? std::vector<Slot>()
-                              : question_.value_of("slot", [&] { return parse_slots(asked.slot); });
-  }
-
   void take_slots(const std::vector<std::string>& of_parts, std::vector<Slot> slots,
                   const std::string& name) {
     if (slots.empty()) {
@@ -338,7 +342,7 @@ class JobMaker {
     if (benches_say && job_.at_once < least) {
       job_.at_once = std::max(least, most_at_once(job_, benches_));
     } else if (!question_->at_once) {
-      job_.at_once = room_of_slots();
+      job_.at_once = room_of_slots(job_, question_);
       whole_.at_once = job_.at_once;
       notes_.push_back(
           fmt::format("{} fit at once, as many as the slots hold", count_of(job_.at_once, "part")));
@@ -348,28 +352,6 @@ class JobMaker {
                                               question_.key("at_once"), job_.at_once,
                                               is_triple ? "triple" : "pair", least));
     }
-  }
-
-  // The most parts that the slots hold together; a slot without a limit holds all of its parts.
-  [[nodiscard]] std::uint64_t room_of_slots() const {
-    const std::string give =
-        fmt::format("give {}, how many parts fit at once", question_.with_value("at_once"));
-    if (job_.slots.empty()) {
-      question_.refuse("at_once", give);
-    }
-    std::uint64_t room = 0;
-    for (std::size_t s = 0; s < job_.slots.size(); ++s) {
-      const auto members =
-          static_cast<std::uint64_t>(std::ranges::count(job_.slot_of, std::uint32_t(s)));
-      room += std::min(job_.slots[s].most, members);
-    }
-    const auto free = std::ranges::find(job_.slot_of, no_slot);
-    if (free != job_.slot_of.end()) {
-      question_.refuse("at_once",
-                       fmt::format("{}: {} is in no slot", give,
-                                   job_.names[std::size_t(free - job_.slot_of.begin())]));
-    }
-    return room;
   }
 
   // The request that the answer keeps, which needs no files.
@@ -435,7 +417,7 @@ class JobMaker {
       }
       whole_.pairs = pair_rows(job_.needed, job_);
     }
-    job_.mounted = named("mounted", asked.mounted);
+    job_.mounted = mounted_left();
     job_.start = named("start", asked.start);
     take_benches();
     take_room();
@@ -509,7 +491,13 @@ class JobMaker {
       const auto input = question_.open("first", question_->first);
       first_tests_ = input->name();
       read_old(*input, [&](Input& list, const auto&, std::vector<std::string>* gone) {
-        take_first(list, {.names = &names_, .left = &left_, .gone = gone}, job_, benches_);
+        take_first(list,
+                   {.names = &names_,
+                    .all_values = all_values_ ? &*all_values_ : nullptr,
+                    .left = &left_,
+                    .gone = gone,
+                    .notes = &notes_},
+                   job_, benches_);
         return 0;
       });
     }

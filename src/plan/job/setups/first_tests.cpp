@@ -105,17 +105,20 @@ DoneList read_first_list(Input& input, const PartNames& names, std::uint64_t at_
   return list;
 }
 
-std::vector<Block> read_first(Input& input, const Job& job) {
-  DoneList list = read_first_list(input, job, job.at_once);
+std::vector<Block> checked_first(const std::string& name, DoneList list, const Job& job) {
   if (job.model != nullptr) {
-    complete_values(job, input.name(), list);
+    complete_values(job, name, list);
   }
   for (const DoneRow& row : list.rows) {
     if (const auto defect = setup_defect(job, row.setup)) {
-      fail(input.name(), {row.line, 1}, *defect);
+      fail(name, {row.line, 1}, *defect);
     }
   }
   return list.setups();
+}
+
+std::vector<Block> read_first(Input& input, const Job& job) {
+  return checked_first(input.name(), read_first_list(input, job, job.at_once), job);
 }
 
 Job after_first(const Job& job) {

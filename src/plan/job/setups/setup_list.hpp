@@ -26,6 +26,11 @@ namespace changeover {
 [[nodiscard]] DoneList read_first_list(Input& input, const PartNames& names, std::uint64_t at_once,
                                        std::vector<std::string>* gone = nullptr);
 
+/// The set-ups of such a list, with the parts of the job; of a model, completed. `name` is that of
+/// the list. @throws as read_first()
+[[nodiscard]] std::vector<Block> checked_first(const std::string& name, DoneList list,
+                                               const Job& job);
+
 /// Why no list may contain this set-up (of parts of the job, without repetition), without a place;
 /// nullopt if it may.
 [[nodiscard]] std::optional<std::string> setup_defect(const Job& job, const Block& setup);
