@@ -139,7 +139,7 @@ void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
       found.push_back(fmt::format(
           "slot {} needs {} in every set-up, but only {} listed; let it need fewer, or list more",
           name, count_of(slot.least, "part"), count_of(members, "is", "are")));
-    } else if (mounted > slot.most) {
+    } else if (mounted > slot.most && job.model == nullptr) {
       found.push_back(fmt::format("{} of slot {} {} mounted, but at most {} fit it; mount fewer",
                                   count_of(mounted, "part"), name, mounted == 1 ? "stays" : "stay",
                                   slot.most));
@@ -151,6 +151,20 @@ void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
     found.push_back(fmt::format(
         "the slots{} need {} parts in every set-up, but only {} fit; need fewer, or let more fit",
         job.mounted.empty() ? "" : " and what stays mounted", needed, job.at_once));
+  }
+}
+
+// Values of one parameter, of which a test of a model has only one.
+void find_two_values(const Job& job, const Block& set, std::string_view how,
+                     std::vector<std::string>& found) {
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (job.slot_of[set[i]] == job.slot_of[set[j]]) {
+        found.push_back(fmt::format("{} {}, but a test has one value of {}; keep one",
+                                    pair_name(job, set[j], set[i]), how,
+                                    job.slots[job.slot_of[set[i]]].name));
+      }
+    }
   }
 }
 
@@ -172,14 +186,9 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
       }
     }
   }
-  for (std::size_t i = 0; job.model != nullptr && i < job.start.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (job.slot_of[job.start[i]] == job.slot_of[job.start[j]]) {
-        found.push_back(fmt::format("{} are both set at the start, but {} has one value; keep one",
-                                    pair_name(job, job.start[j], job.start[i]),
-                                    job.slots[job.slot_of[job.start[i]]].name));
-      }
-    }
+  if (job.model != nullptr) {
+    find_two_values(job, job.start, "are both set at the start", found);
+    find_two_values(job, job.mounted, "both stay mounted", found);
   }
   find_impossible_slots(job, found);
   if (found.empty() && job.model != nullptr) {

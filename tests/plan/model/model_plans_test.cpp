@@ -299,7 +299,12 @@ TEST(ModelPlans, WhatIsThereAtTheStartMustNotStayForWhatIsMounted) {
   job.start = {0, 1, 5};
   ASSERT_EQ(defects(job).size(), 1U);
   EXPECT_EQ(defects(job).front(),
-            "a and b are both set at the start, but A has one value; keep one");
+            "a and b are both set at the start, but a test has one value of A; keep one");
+  job.start = {};
+  job.mounted = {0, 1};
+  EXPECT_EQ(defects(job),
+            std::vector<std::string>{
+                "a and b both stay mounted, but a test has one value of A; keep one"});
 }
 
 // A row serves as many pairs as it can, also in haste: two parameters need 64 tests here.
