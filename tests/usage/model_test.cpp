@@ -259,7 +259,7 @@ TEST(ModelUsage, WhatStaysOnOneMachineBarsNothingOnAnother) {
            " cannot meet beside what is always set and need not: "},
           {both + "--without Fedora", 3,
            "b.csv: bench 'South' always has Fedora, which is left out from now on; mark the bench "
-           "down or change its column mounted"},
+           "down, or change what is mounted there"},
           {"printf 'bench,mounted,down\nNorth,,\nSouth,Fedora,yes\n' > b.csv && " + both +
                "--without Fedora",
            0, "South: out of order"}},

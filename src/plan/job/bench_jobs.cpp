@@ -188,8 +188,8 @@ Job without_empty_slots(Job own) {
 std::optional<std::string> defect_with_model(const Job& job, const Bench& bench) {
   if (bench.at_once || !bench.slots.empty()) {
     return fmt::format(
-        "its column {} has no meaning with a model, of whose parameters every test has one value "
-        "each; write what the bench lacks in the column without",
+        "{} has no meaning with a model, of whose parameters every test has one value each; leave "
+        "it out, and give what the bench lacks as without",
         bench.at_once ? "at_once" : "slots");
   }
   const std::vector<bool> barred = barred_parts(job, bench);
@@ -216,7 +216,7 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
   }
   for (const Element x : bench.own) {
     if (contains(bench.without, x)) {
-      return fmt::format("part {} is in the columns 'own' and 'without'; remove it from one",
+      return fmt::format("{} is both in own and in without; remove it from one",
                          shown(job.names[x]));
     }
   }

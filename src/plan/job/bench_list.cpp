@@ -72,6 +72,9 @@ class BenchReader {
   // The heads of columns that say nothing of benches.
   [[nodiscard]] const std::vector<std::string>& unused() const { return unused_; }
 
+  // Whether the benches are rows of a document and not of a file.
+  [[nodiscard]] bool is_given() const { return rows_.is_given(); }
+
   std::vector<Bench> read() {
     std::vector<Bench> benches;
     std::vector<std::optional<BenchColumn>> columns;
@@ -295,6 +298,10 @@ std::vector<Bench> read_benches(Input& input, const PartNames& names,
                                 std::vector<std::string>* gone, std::vector<std::string>* notes) {
   BenchReader reader(input, names, gone);
   std::vector<Bench> benches = reader.read();
+  if (benches.empty() && reader.is_given()) {
+    throw BadInput(input.name() +
+                   ": no bench is listed; give a name for each, or how many there are");
+  }
   if (benches.empty()) {
     fail(input.name(), {}, "no bench is listed; write one per line below a header");
   }

@@ -25,8 +25,8 @@ void check_mounted_left(const Bench& bench, const std::string& name, const std::
   for (const Element x : mounted) {
     if (options.all_values != nullptr && !bench.down && (*options.left)(Block{x}).empty()) {
       throw BadInput(fmt::format(
-          "{}: bench {} always has {}, which is left out from now on; mark the bench down or "
-          "change its column mounted",
+          "{}: bench {} always has {}, which is left out from now on; mark the bench down, or "
+          "change what is mounted there",
           list, shown(name), options.all_values->names[x]));
     }
   }

@@ -87,7 +87,7 @@ TEST(PlanBenches, SayWhatIsWrong) {
           {bench("bench,down\nNorth,maybe\n"), 3, "write yes if the bench is down, or nothing"},
           {bench("bench,slots\nNorth,GPU=1\n"), 3, "there is no slot 'GPU'"},
           {bench("bench,own,without\nNorth,L4,L4\n"), 3,
-           "North: part 'L4' is in the columns 'own' and 'without'"},
+           "North: 'L4' is both in own and in without; remove it from one"},
           {bench("bench\nNorth\nNorth\n"), 3, "two benches are called North; rename one"},
           {bench("bench,down\nNorth,yes\n"), 3, "all benches are down"},
           {bench("bench,hours\n"), 3, "no bench is listed"},

@@ -395,8 +395,8 @@ TEST(ModelBenches, WhatHasNoMeaningWithAModelIsRefused) {
   };
   EXPECT_EQ(defect({}), "");
   EXPECT_EQ(defect({.at_once = 3}),
-            "Bench 1: its column at_once has no meaning with a model, of whose parameters every "
-            "test has one value each; write what the bench lacks in the column without");
+            "Bench 1: at_once has no meaning with a model, of whose parameters every test has one "
+            "value each; leave it out, and give what the bench lacks as without");
   EXPECT_EQ(defect({.without = {0, 1, 2}}), "Bench 1: it has no value of 'OS'; let it have one");
   EXPECT_EQ(defect({.mounted = Block{4}, .without = {1}}),
             "Bench 1: m.txt:5: no test obeys this rule and those before it, without what the bench "
