@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "changeover/io/input.hpp"
 #include "changeover/io/request.hpp"
+#include "changeover/plan/benches.hpp"
 #include "cli/cli.hpp"
 #include "core/parsed.hpp"
 #include "io/request/request_document.hpp"
@@ -46,6 +48,14 @@ inline constexpr std::size_t most_request_bytes = std::size_t{1} << 28;
 [[nodiscard]] inline RequestList number_or_file(const std::string& text) {
   const auto number = parsed<std::uint64_t>(text);
   return number ? RequestList{.number = number} : RequestList{.file = text};
+}
+
+/// @throws UsageError for what is meant as a number and cannot be one, as "-1" and "1.5"
+inline void check_number_or_file(const std::string& flags, const RequestList& list) {
+  if (const auto number = parsed<double>(list.file); number && std::isfinite(*number)) {
+    throw UsageError{fmt::format("{} {}: give a whole number from 1 to {}, or a file", flags,
+                                 list.file, max_benches)};
+  }
 }
 
 /// Adds an option for each record but those that `others` has already, and the rules. What
@@ -83,6 +93,7 @@ void add_request_options(Verb& verb, Request& request, const RequestTable<Reques
               verb.option(
                   flags, [&kept](const std::string& text) { kept = number_or_file(text); }, value,
                   help);
+              verb.require([&kept, flags] { check_number_or_file(flags, kept); });
               return;
             }
             flags.starts_with('-') ? verb.option(flags, kept.file, value, help)
