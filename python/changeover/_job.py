@@ -370,9 +370,11 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
     of_model = given["model"] is not None
     document: dict[str, Any] = {}
     if of_model:
-        for argument in ("slot_of", "quantities"):
-            if given[argument] is not None:
-                raise BadInput(f"{argument} has no meaning with model; leave it out")
+        if given["slot_of"] is not None:
+            raise BadInput("slot_of has no meaning with model; leave it out")
+        if given["quantities"] is not None:
+            raise BadInput("quantities is for parts; of a model, change_costs says how many there "
+                           'are of a value, as {("OS", "ARM", "quantity"): 1}')
         document["model"] = _model(given["model"])
     elif given["parts"] is None:
         raise TypeError("plan() needs parts or model; give one of them")

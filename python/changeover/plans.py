@@ -457,8 +457,9 @@ def plan(  # type: ignore[misc]  # the second one says only what comes of benche
     parameter, and all values of different parameters meet that the rules allow. Parts are the
     values, 'Debian' or 'OS: Debian'; set-ups in first and done may be dicts from parameters to
     values, and lack some in first. change_costs: a dict from 'OS', ('OS', 'Debian') or
-    ('OS', 'Debian', 'Fedora'), Fedora in place of Debian, to costs. objective: 'cost' (None), or
-    'tests', the fewest tests and then the least cost, which asks for no costs.
+    ('OS', 'Debian', 'Fedora'), Fedora in place of Debian, to costs; ('OS', 'Debian', 'quantity')
+    is how many benches can have Debian at once. objective: 'cost' (None), or 'tests', the fewest
+    tests and then the least cost, which asks for no costs.
 
     Raises BadInput with the reason if no list can do it.
     """
