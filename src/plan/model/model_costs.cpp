@@ -145,6 +145,11 @@ class ValueCosts {
       case 2:
         return set(parameter, cost_of_.read(row[1]));
       case 3:
+        if (same_word(row[2].text, "quantity")) {
+          reader_.fail(row[2], fmt::format("no quantity of {}; write how many there are, or leave "
+                                           "out this row if there are enough",
+                                           job_.names[value_in(parameter, row[1])]));
+        }
         return give(value_in(parameter, row[1]), cost_of_.read(row[2]));
       case 4: {
         if (same_word(row[2].text, "quantity") && !names_.value(parameter, row[2].text)) {

@@ -92,6 +92,11 @@ TEST(ModelCosts, HowManyThereAreOfAValue) {
               "c.csv:1:15: '" + std::string(number) +
                   "' is not a quantity; write how many there are, 1 or more");
   }
+  for (const char* row : {"N,16,quantity\n", "N,16,quantity,\n"}) {
+    EXPECT_EQ(complaint(row),
+              "c.csv:1:6: no quantity of 16; write how many there are, or leave out this row if "
+              "there are enough");
+  }
 }
 
 TEST(ModelCosts, SaysWhatIsWrongAndWhere) {
