@@ -8,6 +8,7 @@
 
 #include "core/contains.hpp"
 #include "core/each.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
 #include "plan/sheet/sheet_document.hpp"
@@ -57,22 +58,73 @@ Table bench_table(const BenchDocument& document, const Money& money) {
                   std::move(rows));
 }
 
-// The name of a sheet of a workbook: at most 31 characters, without some signs, and unique.
-std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
+// The beginning of a text that has so many units of UTF-16.
+std::string first_units(std::string_view text, std::size_t most) {
+  constexpr char32_t last_of_one_unit = 0xffff;
+  std::size_t bytes = 0;
+  for (std::size_t units = 0; bytes < text.size();) {
+    const CodePoint point = first_code_point(text.substr(bytes));
+    units += point.value > last_of_one_unit ? 2U : 1U;
+    if (units > most) {
+      break;
+    }
+    bytes += point.bytes;
+  }
+  return std::string(text.substr(0, bytes));
+}
+
+// Small letters for the capitals that benches may be named with: spreadsheets take "Ä" and "ä" for
+// one name.
+char32_t small_letter(char32_t c) {
+  const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
+  const bool by_32 = within(U'A', U'Z') || (within(U'À', U'Þ') && c != U'×') ||
+                     within(U'Α', U'Ϋ') || within(U'А', U'Я') || within(U'Ａ', U'Ｚ');
+  const bool even = within(U'Ā', U'ķ') || within(U'Ŋ', U'ŷ');  // capitals, each before its own
+  const bool odd = within(U'Ĺ', U'ň') || within(U'Ź', U'ž');
+  return by_32                                         ? c + 32
+         : within(U'Ѐ', U'Џ')                          ? c + 80
+         : (even && c % 2 == 0) || (odd && c % 2 == 1) ? c + 1
+         : c == U'Ÿ'                                   ? U'ÿ'
+                                                       : c;
+}
+
+std::u32string in_small_letters(std::string_view text) {
+  std::u32string letters;
+  while (!text.empty()) {
+    const CodePoint point = first_code_point(text);
+    letters += small_letter(point.value);
+    text.remove_prefix(point.bytes);
+  }
+  return letters;
+}
+
+// Whether a sheet may have it in its name, at the ends or within.
+bool may_be_in_name(const CodePoint& point, bool is_at_end) {
+  constexpr std::u32string_view signs = U"[]:*?/\\";
+  const bool is_character = (point.value & 0xfffeU) != 0xfffeU;
+  return is_printable(point) && is_character && signs.find(point.value) == signs.npos &&
+         !(is_at_end && point.value == U'\'');
+}
+
+// The name of a sheet of a workbook: at most 31 units of UTF-16, without some signs, and unique.
+std::string sheet_name(std::string_view name, std::set<std::u32string>& taken) {
   constexpr std::size_t longest = 31;
-  std::string clean;
-  for (const char c : name) {
-    const bool plain =
-        (c >= ' ' && c <= '~') && std::string_view("[]:*?/\\'").find(c) == std::string_view::npos;
-    clean += plain ? c : '_';
-  }
-  clean.resize(std::min(clean.size(), longest));
-  for (std::size_t number = 2; !taken.insert(lower_case(clean)).second; ++number) {
+  const auto clean = [](std::string_view text) {
+    std::string cleaned;
+    for (std::size_t at = 0; at < text.size();) {
+      const CodePoint point = first_code_point(text.substr(at));
+      const bool is_at_end = at == 0 || at + point.bytes == text.size();
+      cleaned += may_be_in_name(point, is_at_end) ? text.substr(at, point.bytes) : "_";
+      at += point.bytes;
+    }
+    return cleaned;
+  };
+  std::string made = clean(first_units(name, longest));
+  for (std::size_t number = 2; !taken.insert(in_small_letters(made)).second; ++number) {
     const std::string end = fmt::format(" {}", number);
-    clean.resize(std::min(clean.size(), longest - end.size()));
-    clean += end;
+    made = first_units(made, longest - end.size()) + end;
   }
-  return clean;
+  return made;
 }
 
 // What stays mounted on every bench that works.
@@ -89,9 +141,9 @@ Block mounted_everywhere(const BenchDocument& document) {
 }  // namespace
 
 std::vector<std::string> bench_sheet_names(const std::vector<Bench>& benches) {
-  std::set<std::string> taken{"plan",      "parts",  "slots",   "costs",
-                              "never",     "done",   "benches", "changeover-question",
-                              "run sheet", "history"};  // Excel has a use for the last
+  std::set<std::u32string> taken{U"plan",      U"parts",  U"slots",   U"costs",
+                                 U"never",     U"done",   U"benches", U"changeover-question",
+                                 U"run sheet", U"history"};  // Excel has a use for the last
   std::vector<std::string> names;
   for (std::size_t b = 0; b < benches.size(); ++b) {
     names.push_back(sheet_name(name_of(benches, b), taken));

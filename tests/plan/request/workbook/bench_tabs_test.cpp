@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/request/workbook/bench_tabs.hpp"
+#include "plan/sheet/benches/bench_words.hpp"
 
 namespace changeover::bench_tabs_test {
 namespace {
@@ -24,6 +25,34 @@ TEST(BenchTabs, AreAsTheProgramWritesThem) {
   EXPECT_EQ(bench_of_tab(benches, "2"), 1U);
   EXPECT_EQ(bench_of_tab(benches, "East"), std::nullopt);
   EXPECT_EQ(bench_of_tab({{}, {}}, "Bench 2"), 1U);
+}
+
+// As written where a workbook allows it: 31 units of UTF-16, without some signs, each name once.
+TEST(BenchTabs, AreNamedAsTheBenchesAre) {
+  const auto named = [](const std::vector<std::string>& names) {
+    std::vector<Bench> all;
+    for (const std::string& name : names) {
+      all.push_back({.name = name});
+    }
+    const std::vector<std::string> tabs = bench_sheet_names(all);
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      EXPECT_EQ(bench_of_tab(all, tabs[b]), b);
+    }
+    return tabs;
+  };
+  EXPECT_THAT(named({"Prüfstand Süd", "試験台", "O'Neill", "'quoted'", "a[1]:*?/\\"}),
+              ElementsAre("Prüfstand Süd", "試験台", "O'Neill", "_quoted_", "a_1______"));
+  EXPECT_THAT(named({"ÄÖ", "äö", "Ж", "ж", "Ψ", "ψ", "Ł", "ł", "Plan", "×", "÷"}),
+              ElementsAre("ÄÖ", "äö 2", "Ж", "ж 2", "Ψ", "ψ 2", "Ł", "ł 2", "Plan 2", "×", "÷"));
+  std::string umlauts;
+  std::string faces;
+  for (int i = 0; i < 32; ++i) {
+    umlauts += "ü";
+    faces += "😀";  // of two units
+  }
+  EXPECT_THAT(
+      named({umlauts, umlauts + "!", faces}),
+      ElementsAre(umlauts.substr(0, 62), umlauts.substr(0, 58) + " 2", faces.substr(0, 60)));
 }
 
 struct Sheet {
