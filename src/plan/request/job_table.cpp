@@ -167,7 +167,8 @@ std::vector<OptionRule> rules() {
       {Says::never_with,
        {"objective=tests"},
        {"benches"},
-       "{} is for one bench; choose {objective=cost} or {objective=makespan} with {benches}"},
+       "{} is for one bench; with {benches}, {objective=cost} with {test_cost=1} and "
+       "{change_cost=0} makes the fewest tests"},
       {Says::never_with,
        {"first"},
        {"benches"},
