@@ -57,6 +57,34 @@ void refuse_list_of_another_job(const Input& input, const DoneList& list) {
   }
 }
 
+// Tests without a number may be copies of one row, or one test that was done again.
+void note_alike(const Input& input, const DoneList& list, std::vector<std::string>& notes) {
+  using Test = std::pair<std::vector<std::string>, Block>;
+  std::map<Test, std::uint64_t> lines;  // by bench, result, notes and what is gone; and the parts
+  const bool has_results = list.has_results();
+  std::string first;
+  std::uint64_t copies = 0;
+  for (const DoneRow& row : list.rows) {
+    if (row.step || (has_results && !was_run(row.result))) {
+      continue;
+    }
+    Test test{row.gone, row.setup};
+    std::ranges::sort(test.first);
+    std::ranges::sort(test.second);
+    test.first.insert(test.first.end(), {lower_case(row.bench), row.result, row.notes});
+    const auto [known, is_new] = lines.emplace(std::move(test), row.line);
+    if (!is_new && copies++ == 0) {
+      first = fmt::format("rows {} and {} are alike", known->second, row.line);
+    }
+  }
+  if (copies > 0) {
+    notes.push_back(fmt::format(
+        "{}: {}{}", name_of_list(input), first,
+        copies == 1 ? ", and both count; delete one if it is a copy"
+                    : fmt::format(", and {} more; all count: delete what is a copy", copies - 1)));
+  }
+}
+
 class Agreement {
  public:
   Agreement(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<DoneList>& lists,
@@ -236,6 +264,7 @@ void make_agree(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<D
                 std::vector<std::string>& notes) {
   for (std::size_t i = 0; i < lists.size(); ++i) {
     refuse_list_of_another_job(*inputs[i], lists[i]);
+    note_alike(*inputs[i], lists[i], notes);
   }
   Agreement(inputs, lists, notes).make();
 }

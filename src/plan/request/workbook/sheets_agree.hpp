@@ -16,7 +16,8 @@ namespace changeover {
 [[nodiscard]] bool is_of_earlier_tests(Input& input);
 
 /// Makes each test count once that is on two of these lists, those of the inputs, with the same
-/// bench, step and set-up; notes say so, and which steps of the sheet `Done` are other tests.
+/// bench, step and set-up; notes say so, and which steps of the sheet `Done` are other tests. Of
+/// tests without a step, alike in all else, all count; a note says which.
 /// O(rows · log rows). @throws BadInput, with both places, if their results differ or two run
 /// sheets have one step with different parts; for a list that has no part of the job
 void make_agree(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<DoneList>& lists,

@@ -116,5 +116,15 @@ TEST(SheetsAgree, StepsThatNoSheetHasAreNoted) {
                           "b.xlsx: no sheet has tests with step 3; if it was done, put it back"));
 }
 
+TEST(SheetsAgree, TestsWithoutANumberThatAreAlikeCountAndAreNoted) {
+  Sheets two(Named{{"Done", ",,A,B,pass\n,,A,C,pass\n,,B,A,pass\n,,A,B,fail\nN,,A,B,pass\n"}});
+  EXPECT_THAT(two.agree().notes, ElementsAre("b.xlsx:Done: rows 2 and 4 are alike, and both "
+                                             "count; delete one if it is a copy"));
+  EXPECT_EQ(two.lists[0].rows.size(), 5U);
+  Sheets more(Named{{"Done", ",,A,B,pass\n,,A,B,pass\n,,A,B,pass\n,,A,C,\n,,A,C,\n"}});
+  EXPECT_THAT(more.agree().notes, ElementsAre("b.xlsx:Done: rows 2 and 3 are alike, and 1 more; "
+                                              "all count: delete what is a copy"));
+}
+
 }  // namespace
 }  // namespace changeover::sheets_agree_test
