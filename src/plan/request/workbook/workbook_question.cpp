@@ -29,6 +29,7 @@
 #include "plan/request/workbook/bench_tabs.hpp"
 #include "plan/request/workbook/changed_lists.hpp"
 #include "plan/request/workbook/changed_model.hpp"
+#include "plan/request/workbook/emptied_places.hpp"
 #include "plan/request/workbook/run_workbook.hpp"
 #include "plan/request/workbook/sheets_agree.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
@@ -450,6 +451,10 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
   if (!run.empty() && !request.done.is_given()) {
     const Written written = written_on(book, run, question);
     const bool has_results = written.has_results();
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      refuse_emptied_places(book.name + ":" + run[i], written.lists[i], *written.before->job,
+                            written.before->benches);
+    }
     note_lost_sheets(book, run, written, notes);
     if (written.before->benches.empty()) {
       note_lost_steps(book.name, written.before->job->last_step, written.lists, notes);
