@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/contains.hpp"
@@ -10,6 +11,7 @@
 #include "core/printable.hpp"
 #include "core/spelling.hpp"
 #include "core/words.hpp"
+#include "io/write/csv_cell.hpp"
 #include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
