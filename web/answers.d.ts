@@ -321,6 +321,8 @@ export type LoadRequest = {
 export type Loads = Head | Step;
 export type Status = 'minimum' | 'best-known' | 'impossible' | 'open';
 export type SearchWay = 'local' | 'exact' | 'base-blocks' | 'locked';
+/** The names of one or two elements where all others are numbers: perhaps a slip. */
+export type NamesAmongNumbers = string[];
 
 export interface Documents {
   benches: Benches;
@@ -1124,6 +1126,7 @@ export interface Verified {
   verdict: Verdict;
   bound: Proof;
   details: Details;
+  names_among_numbers: NamesAmongNumbers;
   bad_steps: {block: number; why: string}[];
   uncovered_pairs: number[][];
   design: Design | null;
@@ -1271,6 +1274,7 @@ export interface Verify {
   verdict: Verdict;
   bound: Proof;
   details: Details;
+  names_among_numbers: NamesAmongNumbers;
 }
 export interface Refusal {
   error: {message: string; line?: number; column?: number};

@@ -11,6 +11,7 @@
 #include "answer/design/judgement.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/tables.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "request/output.hpp"
 #include "request/parameters.hpp"
@@ -143,6 +144,10 @@ Answer run(const VerifyRequest& request) {
     text = fmt::format("{}: {} with {}\n", verdict.valid() ? "valid" : "INVALID",
                        name(verdict.parameters), count_of(verdict.b, "block"));
     add_defects(verdict, labels, text);
+    if (const auto names = names_among_numbers(labels); !verdict.valid() && !names.empty()) {
+      text += fmt::format("all elements are numbers but {}; if that is a slip, correct it\n",
+                          joined(names, " and "));
+    }
     if (verdict.valid()) {
       add_qualities(verdict, judgement, labels, text);
     }

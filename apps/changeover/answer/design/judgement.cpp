@@ -7,6 +7,7 @@
 #include "changeover/verify/difference.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
+#include "request/parameters.hpp"
 
 namespace changeover::cli {
 
@@ -165,6 +166,19 @@ std::string quality(const Judgement& judgement) {
                             judgement.from_tables ? " (" + judgement.bound.name + ")" : "");
 }
 
+std::vector<std::string> names_among_numbers(const std::vector<std::string>& labels) {
+  constexpr std::size_t most_names = 2;
+  constexpr std::size_t least_numbers = 3;
+  std::vector<std::string> names;
+  for (const std::string& label : labels) {
+    if (!whole_number(label)) {
+      names.push_back(label);
+    }
+  }
+  const bool among = names.size() <= most_names && labels.size() - names.size() >= least_numbers;
+  return among ? names : std::vector<std::string>();
+}
+
 std::string verify_json(const Verdict& verdict, const Judgement& judgement,
                         const std::vector<std::string>& labels) {
   JsonWriter json;
@@ -174,6 +188,7 @@ std::string verify_json(const Verdict& verdict, const Judgement& judgement,
   json.key("name").value(judgement.bound.name).key("reason").value(judgement.bound.reason);
   json.end_object();
   json.key("details").raw(verdict_to_json(verdict, labels));
+  json.key("names_among_numbers").value(names_among_numbers(labels));
   return json.end_object().take();
 }
 

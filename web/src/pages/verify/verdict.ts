@@ -82,6 +82,16 @@ function reasons(report: Report): Child[] {
       ),
     );
   }
+  const names = answer.names_among_numbers;
+  if (names.length > 0) {
+    list.push(
+      h(
+        'li',
+        {},
+        `All elements are numbers but ${names.join(' and ')}: perhaps a slip of the hand.`,
+      ),
+    );
+  }
   return [h('ul', {}, list)];
 }
 
