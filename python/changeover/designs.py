@@ -518,7 +518,7 @@ def verify(
 
 def read(path: str) -> Design:
     """The design of a file of any format that is known: text, JSON, CSV, GAP, Sage, XML of
-    designtheory.org. Its verdict may be that it is none. Raises BadInput with line and column,
+    designtheory.org, sets in brackets. Its verdict may be that it is none. Raises BadInput with line and column,
     MissingResource."""
     return design_of(_core.Design.read(path))
 

@@ -163,7 +163,8 @@ Answer run(const ExpandRequest& request) {
 void add_expand(Program& program) {
   auto [verb, request] = program.add<ExpandRequest>(
       "expand", "expand your own design by the recursion with expansion sets", run);
-  verb.positional("FILE", request.path, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
+  verb.positional("FILE", request.path,
+                  "text, JSON, CSV, GAP, Sage, XML or sets {A,B}; - is standard input");
   add_kind_to(verb, request.kind, "treat the design as circular, whatever the file says",
               "treat the design as linear");
   verb.choice("--factorization", request.factorization, {"circle", "doubled"},

@@ -102,7 +102,7 @@ void add_same(Program& program) {
   auto [verb, request] =
       program.add<SameRequest>("same", "compare two designs up to relabelling and rotation", run);
   verb.positional("A", request.one,
-                  "a design: text, JSON, CSV, GAP, Sage or XML; - is standard input");
+                  "a design: text, JSON, CSV, GAP, Sage, XML or sets {A,B}; - is standard input");
   verb.positional("B", request.other, "another one");
   add_kind_to(verb, request.kind, "take both as circular, whatever the files say",
               "take both as linear");

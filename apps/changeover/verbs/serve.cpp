@@ -182,8 +182,8 @@ Answer run(const ServeRequest& request) {
 void add_serve(Program& program) {
   auto [verb, request] = program.add<ServeRequest>(
       "serve", "serve the explorer, the pages for a browser: catalog, designs, searches", run);
-  verb.positional("FILE", request.files, "designs to look at: text, JSON, CSV, GAP, Sage, XML",
-                  false);
+  verb.positional("FILE", request.files,
+                  "designs to look at: text, JSON, CSV, GAP, Sage, XML, sets {A,B}", false);
   verb.option("--port", request.port, "N", "listen on this port (default 0: one that is free)");
   verb.option("--host", request.host, "NAME",
               "listen on this address of the machine (default 127.0.0.1)");

@@ -163,7 +163,8 @@ Answer run(const VerifyRequest& request) {
 void add_verify(Program& program) {
   auto [verb, request] =
       program.add<VerifyRequest>("verify", "check a design and report its quality", run);
-  verb.positional("FILE", request.path, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
+  verb.positional("FILE", request.path,
+                  "text, JSON, CSV, GAP, Sage, XML or sets {A,B}; - is standard input");
   verb.option("-v", request.declared.v, "V", "number of elements, if the file does not say");
   verb.option("-k", request.declared.k, "K", "elements in a block");
   verb.option("-m,--change", request.declared.change, "M",

@@ -22,15 +22,16 @@ void skip_comments(std::string_view& text) {
   }
 }
 
-void skip_prompt(std::string_view& text) {
+bool skip_prompt(std::string_view& text) {
   constexpr std::array<std::string_view, 3> prompts = {"gap>", "sage:", ">>>"};
   for (const std::string_view prompt : prompts) {
     if (text.starts_with(prompt)) {
       text.remove_prefix(prompt.size());
       skip_blanks(text);
-      return;
+      return true;
     }
   }
+  return false;
 }
 
 bool skip_assignment(std::string_view& text) {

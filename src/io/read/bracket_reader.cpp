@@ -16,7 +16,7 @@ namespace changeover {
 namespace {
 
 constexpr std::string_view between_elements = " \t\r\n,;";
-constexpr std::string_view ends_a_word = " \t\r\n,;#()[]{}\"'";
+constexpr std::string_view ends_a_word = " \t\r\n,;#()[]{}";  // x' and x" are names
 
 char closing_of(char open) { return open == '(' ? ')' : open == '[' ? ']' : '}'; }
 bool opens(char c) { return c == '(' || c == '[' || c == '{'; }
@@ -114,6 +114,9 @@ class BracketReader {
       const std::string_view label = text_.substr(at_ + 1, end - at_ - 1);
       at_ = end + 1;
       note(word_defect(label), start);
+      if (at_ < text_.size() && ends_a_word.find(text_[at_]) == std::string_view::npos) {
+        fail(at_, "a name goes on after its quote; correct it");
+      }
       note(collector_.add(std::string(1, '"').append(label)), start);
     } else {
       const std::string_view element = word();
@@ -153,6 +156,36 @@ class BracketReader {
   std::size_t at_ = 0;
 };
 
+// Whether a text that begins with a bracket may be JSON: an object, whose keys are in quotes, or an
+// array of arrays of numbers or of names in double quotes. What is cut off may be.
+bool may_be_json(std::string_view text) {
+  const auto next = [&] {
+    text.remove_prefix(1);
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    return text.empty() ? '\0' : text[0];
+  };
+  const char first = text[0];
+  const char second = next();
+  if (first == '(' || second == '\0') {
+    return first != '(';
+  }
+  if (first == '[' && second == '[') {
+    const char third = next();
+    return !is_letter(third) && third != '\'';
+  }
+  if (first == '[' && second != '{') {
+    return second == ']';
+  }
+  const char key = first == '[' ? next() : second;
+  if (key != '"') {
+    return key == '}';
+  }
+  const std::size_t end = text.find('"', 1);
+  text.remove_prefix(std::min(end, text.size()));
+  const char after = text.empty() ? '\0' : next();
+  return after == ':' || after == '\0';
+}
+
 }  // namespace
 
 Design read_brackets(Input& input, const ReadOptions& options) {
@@ -170,31 +203,13 @@ bool begins_like_brackets(std::string_view beginning) {
       comments.find("# labels:") != std::string_view::npos) {
     return false;  // text, where names may have brackets
   }
-  skip_prompt(beginning);
-  if (skip_assignment(beginning)) {
-    return !beginning.empty() && opens(beginning[0]);
-  }
+  const bool has_comment = comments.find('#') != std::string_view::npos;
+  const bool has_prompt = skip_prompt(beginning);
+  const bool has_name = skip_assignment(beginning);
   if (beginning.empty() || !opens(beginning[0])) {
     return false;
   }
-  // What JSON may be is JSON: an object has keys in quotes, an array of blocks has arrays of
-  // numbers or names in quotes.
-  const auto after = [&](std::size_t from) {
-    const std::size_t at = beginning.find_first_not_of(" \t\r\n", from);
-    return at == std::string_view::npos ? '\0' : beginning[at];
-  };
-  const char second = after(1);
-  if (beginning[0] == '{') {
-    return second != '"' && second != '}' && second != '\0';
-  }
-  if (beginning[0] == '(') {
-    return true;
-  }
-  if (second == '[') {
-    const char third = after(beginning.find('[', 1) + 1);
-    return is_letter(third) || third == '\'';
-  }
-  return second != '\0' && second != ']' && second != '{';
+  return has_comment || has_prompt || has_name || !may_be_json(beginning);
 }
 
 }  // namespace changeover

@@ -82,7 +82,8 @@ class Columns {
                   fmt::format("a field of more than {} bytes; use shorter names", max_token_bytes));
       }
       const std::string_view word = csv_text(field.text);
-      auto defect = word_defect(word);
+      auto defect = named_ ? std::nullopt : loose_word_defect(word, i == 0);
+      defect = defect ? defect : word_defect(word);
       defect = defect ? defect : collector.add(word);
       if (defect) {
         rows.fail(field, *defect);

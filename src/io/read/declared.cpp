@@ -217,12 +217,19 @@ std::optional<std::string> table_defect(std::string_view beginning) {
 std::optional<std::string> loose_word_defect(std::string_view word, bool is_first) {
   constexpr std::string_view brackets = "()[]{}";
   constexpr std::array<std::string_view, 4> comments = {"%", "//", "--", "/*"};
+  constexpr std::array<std::string_view, 5> signs = {"=", ":=", "gap>", "sage:", ">>>"};
+  if (word.empty()) {
+    return std::nullopt;
+  }
   if (brackets.find(word.front()) != std::string_view::npos ||
       brackets.find(word.back()) != std::string_view::npos) {
     return fmt::format("{} has a bracket; write every block as {{A,B,C}}, or none", shown(word));
   }
   if (std::ranges::find(comments, word) != comments.end()) {
     return fmt::format("{} is not an element; begin a comment with #", shown(word));
+  }
+  if (std::ranges::find(signs, word) != signs.end()) {
+    return fmt::format("{} is not an element; write every block as {{A,B,C}}", shown(word));
   }
   const bool numbered =
       (word.back() == '.' || word.back() == ')') && plain_number(word.substr(0, word.size() - 1));

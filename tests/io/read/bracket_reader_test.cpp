@@ -20,10 +20,12 @@ TEST(BracketReader, KnowsItsBeginnings) {
   for (const char* brackets :
        {"{A,B}", "(1 2)\n(2 3)", "[1,2,4]\n[2,3,5]", "[['a','b']]", "[[a,b],[b,c]]", "[(0,1)]",
         "B = [[0,1]]", "blocks := [[1,2]];", "gap> blocks := [[1,2]];", ">>> [(0,1)]",
-        "# mine, all\n{0,1}", "\xEF\xBB\xBF{ A", "['a','b']"}) {
+        "# mine, all\n{0,1}", "\xEF\xBB\xBF{ A", "['a','b']", "# c\n[[1,2],[2,3]]", "[{1,2},{2,3}]",
+        "gap> [[1,2]];", "sage: [[0,1]]", "{\"A\",\"B\"} {\"B\",\"C\"}"}) {
     EXPECT_EQ(guess_format(brackets), Format::brackets) << brackets;
   }
-  for (const char* json : {"{}", "{\"v\":3}", "[]", "[[1,2]]", "[[\"a\",\"b\"]]", "[{\"v\":3}]"}) {
+  for (const char* json : {"{}", "{\"v\":3}", "[]", "[[1,2]]", "[[\"a\",\"b\"]]", "[{\"v\":3}]",
+                           "{\"v\"", "{ \"v\" : 3 }", "{", "["}) {
     EXPECT_EQ(guess_format(json), Format::json) << json;
   }
   EXPECT_EQ(guess_format("sage: D = IncidenceStructure([[0,1]])"), Format::literal);
@@ -57,6 +59,8 @@ TEST(BracketReader, NumbersAreAsInAnArrayOfJson) {
   EXPECT_TRUE(read("{0,1} {1,2}").labels().empty());
   EXPECT_EQ(read("(1,2) (2,3)").labels(), (std::vector<std::string>{"1", "2", "3"}));
   EXPECT_EQ(read("(1,2) (2,3)", {.v = 5}).v(), 5U);
+  EXPECT_EQ(read("(1 2')(2' 3)").labels(), (std::vector<std::string>{"1", "2'", "3"}));
+  EXPECT_EQ(read("{1',2} {2,3} {1',3}").block_count(), 3U);
   EXPECT_EQ(read("(10,2) (2,x)").labels(), (std::vector<std::string>{"10", "2", "x"}));
 }
 
@@ -99,6 +103,7 @@ TEST(BracketReader, RefusesWhatIsNotBlocks) {
   refuses("{A,B", "f:1:1: this bracket is not closed; close it");
   refuses("{A,B}}", "f:1:6: '}' is in no bracket; write each block as {A,B,C}");
   refuses("{'A,B}", "f:1:2: a quote is opened and not closed; close it");
+  refuses("{'A'B}", "f:1:5: a name goes on after its quote; correct it");
   refuses("{1..3}", "f:1:2: a range; write out its elements");
   refuses("()", "f:1:1: block 1 is empty; remove it");
   refuses("{A,A,B}", "f:1:4: element 'A' is twice in block 1; remove or correct one");
@@ -111,6 +116,10 @@ TEST(BracketReader, LinesOfTextHaveNoSuchSigns) {
   refuses("B: A B D\n", "f:1:1: 'B:' looks like the name of the block; leave it out");
   refuses("1. A B D\n", "f:1:1: '1.' looks like the name of the block; leave it out");
   refuses("A B D % first\n", "f:1:7: '%' is not an element; begin a comment with #");
+  refuses("B =\n", "f:1:3: '=' is not an element; write every block as {A,B,C}");
+  refuses("gap> 1 2\n", "f:1:1: 'gap>' is not an element; write every block as {A,B,C}");
+  refuses("a{A,B},{B,C}\n", "f:1:4: 'B}' has a bracket; write every block as {A,B,C}, or none");
+  refuses("B: {A,B}\n", "f:1:1: 'B: {A' ");
   refuses("ABD\nBCE\n",
           "f:1:1: each block has one element; separate the elements of a block by blanks");
   EXPECT_EQ(read("# labels: B: (A %\nB: (A %\n").v(), 3U);

@@ -144,11 +144,11 @@ TEST(FindMinimum, RefusesAWrongDesign) {
   const Parameters p{.v = 6, .k = 4, .kind = Kind::circular};
   const Design half(p, std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}});
   EXPECT_REFUSAL((void)find_minimum(p, {}, control, half), BadInput,
-                 "the design that was given is no circular DCCD(6,4)");
+                 "the design that was given is not a circular DCCD(6,4)");
   const Design whole(p, std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}});
   EXPECT_TRUE(find_minimum(p, {}, control, whole).settled());
   EXPECT_REFUSAL((void)find_minimum({.v = 6, .k = 4}, {}, control, whole), BadInput,
-                 "the design that was given is no linear DCCD(6,4)");
+                 "the design that was given is not a linear DCCD(6,4)");
 }
 
 TEST(LowerBoundOnPaper, IsNeverWhatExhaustiveSearchFound) {

@@ -202,7 +202,8 @@ Answer run(const AddRequest& request) {
 void add_catalog_add(Program& program) {
   auto [verb, request] =
       program.add<AddRequest>("catalog-add", "add designs to your own catalog", run);
-  verb.positional("FILE", request.paths, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
+  verb.positional("FILE", request.paths,
+                  "text, JSON, CSV, GAP, Sage, XML or sets {A,B}; - is standard input");
   verb.option("-m,--change", request.declared.change, "M",
               "elements in which consecutive blocks differ, if the files do not say");
   verb.option("-t,--strength", request.declared.strength, "T", "every T elements must meet");
