@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace changeover {
 
 std::string count_of(std::uint64_t n, std::string_view one, std::string_view many) {
@@ -25,6 +27,14 @@ std::string leading_defect(const std::vector<std::string>& messages) {
 
 std::string change_name(std::uint64_t m) {
   return m == 1 ? "single-change" : m == 2 ? "double-change" : fmt::format("{}-change", m);
+}
+
+bool is_missing_number(std::string_view word) {
+  constexpr auto values = std::to_array<std::string_view>(
+      {"nan", "inf", "infinity", "na", "n/a", "n.a.", "none", "null", "nil", "?", ""});
+  const std::string small = lower_case(word);
+  const std::size_t first = std::min(small.find_first_not_of("+-."), small.size());
+  return std::ranges::find(values, std::string_view(small).substr(first)) != values.end();
 }
 
 std::string lower_case(std::string_view text) {

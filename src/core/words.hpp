@@ -47,6 +47,10 @@ template <typename Value>
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/// Whether a word stands where a number is missing or is none, in any case and with any sign: nan,
+/// inf, NA, none, null, "?", nothing. No column has such a name.
+[[nodiscard]] bool is_missing_number(std::string_view word);
+
 /// With A to Z as a to z, whatever the locale.
 [[nodiscard]] std::string lower_case(std::string_view text);
 

@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "changeover/loadorder/load_request.hpp"
+#include "cli/status_line.hpp"
+#include "core/printable.hpp"
 #include "loadorder/order/searched.hpp"
 #include "loadorder/show/loads_answer.hpp"
 #include "request/request_options.hpp"
@@ -45,6 +47,9 @@ Answer run(const LoadOrderRequest& typed) {
   const CheckedLoads asked = checked_loads(request, Door::command_line);
   check_format(asked, format);
   output.check_writable();
+  for (const std::string& note : asked.notes()) {
+    status_line().say("changeover: " + printable(note));
+  }
   LoadOrderOptions options;
   options.seed = request.seed.value_or(1);
   if (const double seconds = run.settings().time->count(); seconds > 0) {

@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "changeover/io/request.hpp"
 #include "changeover/loadorder/schedule.hpp"
@@ -94,6 +95,8 @@ class CheckedLoads {
   [[nodiscard]] const std::shared_ptr<const ItemSizes>& sizes() const { return sizes_; }
   /// The cost of a pair; empty if all pairs cost the same.
   [[nodiscard]] const std::function<double(Element, Element)>& pair_cost() const { return cost_; }
+  /// What was guessed of the lists: that a first row was read as names of columns, with its place.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   friend CheckedLoads checked_loads(LoadRequest request, Door door,
@@ -105,6 +108,7 @@ class CheckedLoads {
   std::uint64_t room_ = 0;
   std::shared_ptr<const ItemSizes> sizes_;
   std::function<double(Element, Element)> cost_;
+  std::vector<std::string> notes_;
 };
 
 /// Reads the pairs of a request and checks all of it, for every door. `pairs`, if given, replace

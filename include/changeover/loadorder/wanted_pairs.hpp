@@ -10,8 +10,8 @@
 // A file of pairs has two items per line, separated by a comma, a semicolon, a tab or blanks. An
 // item in double quotes may contain any of these, with quotes doubled ("cam 0/x.JPG","b"); without
 // quotes, an item between commas, semicolons or tabs may contain blanks. Empty lines and lines that
-// begin with # or % are skipped, and so is a first line of two words above lines of numbers. A
-// workbook (.xlsx) is read, too: its first sheet, or the one that open_list() (io/input.hpp) names.
+// begin with # or % are skipped, and so is a first line of two words above lines of numbers, which
+// are then names of columns. A workbook (.xlsx) is read, too: its first sheet, or the one that open_list() (io/input.hpp) names.
 //
 // A file of groups has the items of a group in each line, any number of them, written in the same
 // way, and wants all pairs within each group. A group of one item wants none: it is not loaded for
@@ -85,6 +85,7 @@ struct PairFileOptions {
   /// column. If null, a third column is refused with a message that ends in `no_costs`.
   std::function<double(Element, Element)>* costs = nullptr;
   std::string no_costs = {};
+  std::vector<std::string>* notes = nullptr;  ///< receives what the reader took the first row for
 };
 
 /// Reads a file as described above, or standard input for "-". @throws BadInput with line and

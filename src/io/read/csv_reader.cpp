@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "core/words.hpp"
@@ -65,6 +67,12 @@ class Columns {
       rows.fail(fields[0],
                 "no columns element_1, element_2, …; give the columns of elements these names");
     }
+    // A file without the columns of the program may have blocks alone, of elements called so.
+    if (elements_.size() == fields.size()) {
+      for (const Field& field : fields) {
+        heads_.insert(field.text);
+      }
+    }
     named_ = true;
     return true;
   }
@@ -80,6 +88,11 @@ class Columns {
       if (field.text.size() > max_token_bytes) {
         rows.fail(field,
                   fmt::format("a field of more than {} bytes; use shorter names", max_token_bytes));
+      }
+      if (!heads_.empty() && heads_.contains(field.text)) {
+        rows.fail(field, fmt::format("{} is an element here and the name of a column in the first "
+                                     "row; rename the elements",
+                                     shown(field.text)));
       }
       const std::string_view word = csv_text(field.text);
       auto defect = named_ ? std::nullopt : loose_word_defect(word, i == 0);
@@ -134,6 +147,7 @@ class Columns {
 
  private:
   bool named_ = false;
+  std::unordered_set<std::string> heads_;  // the first row, if it may be a block
   std::vector<std::size_t> elements_;
   std::array<std::optional<std::size_t>, constants.size()> constant_columns_;
   std::array<std::string, constants.size()> said_;

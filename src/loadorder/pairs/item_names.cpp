@@ -6,6 +6,7 @@
 #include <charconv>
 #include <utility>
 
+#include "core/each.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 
@@ -57,6 +58,14 @@ void take_fields(Row& row, const RowReader& rows) {
   std::erase_if(row, [](const Field& field) { return field.text.empty(); });
   if (row.size() == 1 && !row.front().in_quotes && !rows.is_given()) {
     row = at_blanks(row.front(), rows);
+  }
+}
+
+void note_heading(const RowReader& rows, const Row& heading, std::vector<std::string>* notes) {
+  if (notes != nullptr) {
+    notes->push_back(fmt::format("{}: the first row was read as names of columns: {}",
+                                 rows.place(heading[0]),
+                                 joined(heading, [](const Field& field) { return field.text; })));
   }
 }
 

@@ -1,8 +1,8 @@
 // Internal: the rules for rows and names of items, the same in every list of load orders.
 //
 //     as_number("+01.0")                  // "1": written like a number, in another way
-//     check_item_name(rows, field)        // refuses what cannot be seen, a '|', 256 bytes
-//     each_item_row(rows, is_heading, take)
+//     check_item_name(rows, field)        // refuses what cannot be seen, 256 bytes
+//     each_item_row(rows, notes, is_heading, take)
 #pragma once
 
 #include <optional>
@@ -10,6 +10,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "changeover/core/block.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
@@ -23,16 +24,27 @@ namespace changeover {
 /// Leaves out empty fields, and splits a row that is one word between blanks at these.
 void take_fields(Row& row, const RowReader& rows);
 
-/// Calls `take` with each row that has fields, but not with a first one that is a heading.
+/// Notes that the first row was read as names of columns, with its place; nothing if `notes` is
+/// null.
+void note_heading(const RowReader& rows, const Row& heading, std::vector<std::string>* notes);
+
+/// Calls `take` with each row that has fields, but not with a first one that is a heading, which is
+/// noted.
 template <typename IsHeading, typename Take>
-void each_item_row(RowReader& rows, const IsHeading& is_heading, const Take& take) {
+void each_item_row(RowReader& rows, std::vector<std::string>* notes, const IsHeading& is_heading,
+                   const Take& take) {
   Row row;
   for (bool first = true; rows.next_line();) {
     if (!rows.split(row)) {
       continue;
     }
     take_fields(row, rows);
-    if (!row.empty() && !(std::exchange(first, false) && !rows.is_given() && is_heading(row))) {
+    if (row.empty()) {
+      continue;
+    }
+    if (std::exchange(first, false) && !rows.is_given() && is_heading(row)) {
+      note_heading(rows, row, notes);
+    } else {
       take(row);
     }
   }
@@ -48,8 +60,7 @@ void each_item_row(RowReader& rows, const IsHeading& is_heading, const Take& tak
 /// leading zeros or a point. Nullopt for all other words.
 [[nodiscard]] std::optional<std::string> as_number(std::string_view word);
 
-/// @throws BadInput with the place of a name that is too long, or has an invisible character or a
-/// '|'.
+/// @throws BadInput with the place of a name that is too long, or has an invisible character.
 void check_item_name(const RowReader& rows, const Field& field);
 
 /// @throws BadInput with the place of a number that is not written like the whole numbers before.

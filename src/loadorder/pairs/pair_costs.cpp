@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "loadorder/pairs/item_names.hpp"
 
@@ -36,14 +37,15 @@ std::optional<Number> number_in(const Field& field) {
 
 class CostList {
  public:
-  CostList(Input& input, const WantedPairs& wanted)
+  CostList(Input& input, const WantedPairs& wanted, std::vector<std::string>* notes)
       : rows_(input, item_row_options()),
+        notes_(notes),
         items_(wanted.items()),
         numbers_(items_by_name(wanted.graph())) {}
 
   Costs read() {
     each_item_row(
-        rows_, [this](const Row& row) { return is_header(row); },
+        rows_, notes_, [this](const Row& row) { return is_header(row); },
         [this](const Row& row) { take(row); });
     return std::move(costs_);
   }
@@ -55,7 +57,8 @@ class CostList {
     const auto is_item = [&](const Field& field) {
       return numbers_.contains(field.text) || number_in<double>(field);
     };
-    return row.size() == 3 && !number_in<double>(row[2]) && !is_item(row[0]) && !is_item(row[1]);
+    return row.size() == 3 && !number_in<double>(row[2]) && !is_missing_number(row[2].text) &&
+           !is_item(row[0]) && !is_item(row[1]);
   }
 
   Element item(const Field& field) {
@@ -95,6 +98,7 @@ class CostList {
   }
 
   RowReader rows_;
+  std::vector<std::string>* notes_;
   std::uint64_t items_;
   std::unordered_map<std::string, Element> numbers_;  // of names
   Costs costs_;
@@ -114,8 +118,9 @@ double cost_in(const RowReader& rows, const Field& field) {
   return *cost;
 }
 
-std::function<double(Element, Element)> read_pair_costs(Input& input, const WantedPairs& wanted) {
-  const auto costs = std::make_shared<const Costs>(CostList(input, wanted).read());
+std::function<double(Element, Element)> read_pair_costs(Input& input, const WantedPairs& wanted,
+                                                        std::vector<std::string>* notes) {
+  const auto costs = std::make_shared<const Costs>(CostList(input, wanted, notes).read());
   return [costs](Element x, Element y) {
     const auto found = costs->find(key_of(x, y));
     return found == costs->end() ? 1.0 : found->second;

@@ -71,7 +71,8 @@ bool is_title(std::string_view word) {
   const auto is = [](std::string_view among) {
     return [among](char c) { return is_letter(c) || among.find(c) != std::string_view::npos; };
   };
-  return std::ranges::count_if(word, is("")) >= 2 && std::ranges::all_of(word, is(" _.()[]"));
+  return std::ranges::count_if(word, is("")) >= 2 && std::ranges::all_of(word, is(" _.()[]")) &&
+         !is_missing_number(word);
 }
 
 class PairReader {
@@ -101,6 +102,7 @@ class PairReader {
       }
     }
     settle_first_line(false);
+    check_heading();
     if (listed_.pairs() == 0) {
       throw BadInput(name_ + (options_.groups
                                   ? ": no pair is in a group; give two items or more per line"
@@ -218,6 +220,9 @@ class PairReader {
     }
     columns_ = columns;
     seen_any_ = seen_any_ || names_columns;
+    if (names_columns) {
+      heading_ = row_;
+    }
     if (columns == 3 && !names_columns) {
       if (row_[0].text == row_[1].text) {
         rows_.fail(row_[1],
@@ -267,10 +272,36 @@ class PairReader {
                      ": words in the first line, numbers below; begin the line with # if it "
                      "names columns, or write every item as a word");
     }
-    if (!numbers_follow) {
-      become_named();
-      add_named(row);
+    const bool has_missing =
+        std::ranges::any_of(row, [](const Field& field) { return is_missing_number(field.text); });
+    if (numbers_follow && !has_missing) {
+      heading_ = row;
+      return;
     }
+    become_named();
+    add_named(row);
+  }
+
+  // A first row that was read as names of columns would be a pair that is lost, if what comes below
+  // it says that its words are items.
+  void check_heading() {
+    if (heading_.empty()) {
+      return;
+    }
+    if (named_ && columns_ < 3) {
+      rows_.fail(heading_.front(),
+                 "words above numbers name columns, but names of items come further down; begin "
+                 "the line with # if it names columns, or write it further down if it is a pair");
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (numbers_.contains(heading_[i].text)) {
+        rows_.fail(heading_[2],
+                   fmt::format("'{}' is not a cost, and '{}' is an item of later rows; write the "
+                               "cost of the pair, or begin the line with # if it names columns",
+                               heading_[2].text, heading_[i].text));
+      }
+    }
+    note_heading(rows_, heading_, options_.notes);
   }
 
   // From now on the numbers so far are names.
@@ -313,6 +344,7 @@ class PairReader {
   bool seen_any_ = false;
   bool named_ = false;
   Row first_line_;
+  Row heading_;  // the first row, if it was read as names of columns
   Element largest_ = 0;
   std::vector<std::string> names_;
   std::unordered_map<std::string, Element> numbers_;

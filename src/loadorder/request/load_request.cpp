@@ -340,12 +340,13 @@ namespace {
 // items.
 SizePlace take_sizes(const LoadRequest& request, const Words& words,
                      std::shared_ptr<const PairGraph>& pairs,
-                     std::shared_ptr<const ItemSizes>& sizes) {
+                     std::shared_ptr<const ItemSizes>& sizes, std::vector<std::string>& notes) {
   std::optional<std::uint64_t> items = request.items;
   if (items && request.against) {
     items = checked_add(*items, *request.against);
   }
-  auto [bytes, names, place] = read_sizes(words.open("sizes", request.sizes), items, pairs.get());
+  auto [bytes, names, place] =
+      read_sizes(words.open("sizes", request.sizes), items, pairs.get(), &notes);
   if (!names.empty()) {
     constexpr std::uint64_t most_named = 2'000;
     if (names.size() > most_named || request.against || request.done_items) {
@@ -390,7 +391,8 @@ std::string why_no_costs(const LoadRequest& request, const Words& words) {
 }
 
 std::shared_ptr<const PairGraph> listed_pairs(const LoadRequest& request, const Words& words,
-                                              std::function<double(Element, Element)>& cost) {
+                                              std::function<double(Element, Element)>& cost,
+                                              std::vector<std::string>& notes) {
   const bool groups = request.groups.is_given();
   const auto input =
       groups ? words.open("groups", request.groups) : words.open("pairs", request.pairs);
@@ -398,7 +400,8 @@ std::shared_ptr<const PairGraph> listed_pairs(const LoadRequest& request, const 
   return read_pairs(*input, {.items = request.items,
                              .groups = groups,
                              .costs = no_costs.empty() ? &cost : nullptr,
-                             .no_costs = no_costs});
+                             .no_costs = no_costs,
+                             .notes = &notes});
 }
 
 }  // namespace
@@ -467,12 +470,12 @@ CheckedLoads checked_loads(LoadRequest asked, Door door, std::shared_ptr<const P
   with_places(request.places, [&] {
     checked.room_ = request.room.value_or(0);
     if (pairs == nullptr && lists_pairs(request)) {
-      pairs = listed_pairs(request, words, checked.cost_);
+      pairs = listed_pairs(request, words, checked.cost_, checked.notes_);
     }
     const bool listed = pairs != nullptr;
     SizePlace place_of_size;
     if (request.sizes.is_given()) {
-      place_of_size = take_sizes(request, words, pairs, checked.sizes_);
+      place_of_size = take_sizes(request, words, pairs, checked.sizes_, checked.notes_);
     }
     if (pairs) {
       checked.wanted_ =
@@ -496,7 +499,8 @@ CheckedLoads checked_loads(LoadRequest asked, Door door, std::shared_ptr<const P
       check_whole_epochs(request, checked.wanted_, words);
     }
     if (request.pair_cost.is_given()) {
-      checked.cost_ = read_pair_costs(*words.open("pair_cost", request.pair_cost), checked.wanted_);
+      checked.cost_ = read_pair_costs(*words.open("pair_cost", request.pair_cost), checked.wanted_,
+                                      &checked.notes_);
     }
   });
   return checked;

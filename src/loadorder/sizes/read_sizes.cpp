@@ -25,16 +25,20 @@ std::optional<std::uint64_t> whole_number(std::string_view text, std::string_vie
 
 class SizeList {
  public:
-  SizeList(std::unique_ptr<Input> input, std::optional<std::uint64_t> items, const PairGraph* graph)
+  SizeList(std::unique_ptr<Input> input, std::optional<std::uint64_t> items, const PairGraph* graph,
+           std::vector<std::string>* notes)
       : input_(std::move(input)),
         rows_(*input_, item_row_options()),
         items_(graph != nullptr ? graph->items() : items),
         graph_(graph),
+        notes_(notes),
         numbers_(items_by_name(graph)) {}
 
   // Both are called once.
   std::vector<std::uint64_t> read() {
-    each_item_row(rows_, is_heading, [this](const Row& row) { take(row); });
+    each_item_row(
+        rows_, notes_, [this](const Row& row) { return is_heading(row); },
+        [this](const Row& row) { take(row); });
     return finish();
   }
   std::vector<std::string> take_names() { return std::move(names_); }
@@ -65,27 +69,36 @@ class SizeList {
 
   // Words such as "NaN", "-3" and "1e400" are wrong sizes, not names.
   static bool is_meant_as_size(std::string_view word) {
-    const std::string small = lower_case(word);
-    const auto first = small.find_first_not_of("+-.");
-    const std::string_view unsigned_word =
-        first == std::string::npos ? std::string_view() : std::string_view(small).substr(first);
-    constexpr auto values = std::to_array<std::string_view>(
-        {"nan", "inf", "infinity", "na", "n/a", "none", "null", "nil", "?", ""});
-    return std::ranges::find(values, unsigned_word) != values.end() ||
-           (unsigned_word[0] >= '0' && unsigned_word[0] <= '9');
+    const std::size_t first = std::min(word.find_first_not_of("+-."), word.size());
+    return is_missing_number(word) || is_digit(word[first]);
   }
 
-  // A first line in which no cell looks like a size.
-  static bool is_heading(const Row& row) {
-    return row.size() <= 2 && !is_meant_as_size(row.front().text) &&
-           !is_meant_as_size(row.back().text) &&
-           row.back().text.find_first_of("0123456789") == std::string::npos;
+  // A first line in which no cell looks like a size, or is an item.
+  bool is_heading(const Row& row) {
+    const bool is = row.size() <= 2 && !is_meant_as_size(row.front().text) &&
+                    !is_meant_as_size(row.back().text) && !numbers_.contains(row.front().text) &&
+                    row.back().text.find_first_of("0123456789") == std::string::npos;
+    heading_ = is ? row : Row();
+    return is;
+  }
+
+  // A word alone above items with sizes may be an item whose size is missing.
+  void check_heading(std::size_t columns) const {
+    if (heading_.size() == 1 && columns == 2) {
+      rows_.fail(heading_.front(),
+                 fmt::format("'{}' stands alone above items with sizes; write its size, or name "
+                             "both columns if it heads them",
+                             heading_.front().text));
+    }
   }
 
   void take(const Row& row) {
     if (row.size() > 2 || (columns_ != 0 && row.size() != columns_)) {
       rows_.fail(row.back(),
                  "rows have different forms; give an item and its bytes in each, or only bytes");
+    }
+    if (columns_ == 0) {
+      check_heading(row.size());
     }
     columns_ = row.size();
     const auto size = size_in(row.back());
@@ -164,11 +177,13 @@ class SizeList {
   RowReader rows_;
   std::optional<std::uint64_t> items_;
   const PairGraph* graph_;
+  std::vector<std::string>* notes_;
   std::vector<std::string> names_;
   std::optional<bool> named_;
   std::unordered_map<std::string, Element> numbers_;
   WrittenNumbers written_;
   std::size_t columns_ = 0;
+  Row heading_;
   std::vector<std::uint64_t> sizes_;
   std::vector<std::pair<std::uint64_t, std::size_t>> places_;  // line and offset, by item
 };
@@ -176,8 +191,8 @@ class SizeList {
 }  // namespace
 
 SizesRead read_sizes(std::unique_ptr<Input> input, std::optional<std::uint64_t> items,
-                     const PairGraph* graph) {
-  const auto list = std::make_shared<SizeList>(std::move(input), items, graph);
+                     const PairGraph* graph, std::vector<std::string>* notes) {
+  const auto list = std::make_shared<SizeList>(std::move(input), items, graph, notes);
   std::vector<std::uint64_t> bytes = list->read();
   return {std::move(bytes), list->take_names(), [list](Element x) { return list->place(x); }};
 }

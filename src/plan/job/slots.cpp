@@ -89,8 +89,9 @@ SlotTable slot_table(const Row& first, const RowReader& reader) {
                   .least = find(heads_least),
                   .most = find(heads_most),
                   .exactly = find(heads_quantities)};
-  const bool has_number =
-      find([](const std::string& text) { return number(text).has_value(); }) != std::nullopt;
+  const bool has_number = find([](const std::string& text) {
+                            return number(text) || (!text.empty() && is_missing_number(text));
+                          }) != std::nullopt;
   if (reader.is_given() || has_number || !(table.least || table.most || table.exactly)) {
     return {};
   }

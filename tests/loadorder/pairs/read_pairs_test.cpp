@@ -37,9 +37,41 @@ TEST(ReadPairs, AByteOrderMarkIsNoPartOfAnItem) {
   EXPECT_EQ(graph->items(), 4U);  // 0 is one of them, in no pair
 }
 
-TEST(ReadPairs, ANameMayNotLookLikeAPair) {
-  EXPECT_EQ(fault("a b\na|b c\n"),
-            "f:2:1: the name 'a|b' has a '|', which stands between the names of a pair; rename it");
+// A pair whose cost is missing is no row of titles.
+TEST(ReadPairs, AFirstRowIsOnlyTitlesWhereNoPairIsLost) {
+  std::vector<std::string> notes;
+  std::function<double(Element, Element)> costs;
+  const auto pairs = [&](std::string text) {
+    notes.clear();
+    const auto input = input_from_text(std::move(text), "f");
+    return read_pairs(*input, {.costs = &costs, .no_costs = "", .notes = &notes})->pairs();
+  };
+  const auto why_not = [&](const std::string& text) {
+    try {
+      return "pairs: " + std::to_string(pairs(text));
+    } catch (const BadInput& bad) {
+      return std::string(bad.what());
+    }
+  };
+  for (const std::string word : {"nan", "NaN", "inf", "Infinity", "NA", "none", "null"}) {
+    EXPECT_EQ(why_not("a b " + word + "\nb c 3\n"),
+              "f:1:5: '" + word + "' is not a cost; give a number, 0 or more");
+  }
+  EXPECT_EQ(why_not("a b cost\nb c 3\n"),
+            "f:1:5: 'cost' is not a cost, and 'b' is an item of later rows; write the cost of the "
+            "pair, or begin the line with # if it names columns");
+  EXPECT_EQ(pairs("from to cost\na b 2\nb c 3\n"), 2U);
+  EXPECT_EQ(notes, std::vector<std::string>{
+                       "f:1:1: the first row was read as names of columns: from, to, cost"});
+  EXPECT_EQ(pairs("from to\n0 1\n1 2\n"), 2U);
+  EXPECT_EQ(notes, std::vector<std::string>{
+                       "f:1:1: the first row was read as names of columns: from, to"});
+  EXPECT_EQ(pairs("NA nan\n0 1\n1 2\n"), 3U);
+  EXPECT_EQ(why_not("from to\n0 1\n1 c\n"),
+            "f:1:1: words above numbers name columns, but names of items come further down; begin "
+            "the line with # if it names columns, or write it further down if it is a pair");
+  EXPECT_EQ(pairs("a b\nc d\n"), 2U);
+  EXPECT_TRUE(notes.empty());
 }
 
 TEST(ReadPairs, NumbersAreItemsAndEachPairCountsOnce) {

@@ -20,9 +20,10 @@ const std::string& text_of(const Row& row, std::size_t column) {
   return column < row.size() ? row[column].text : none;
 }
 
-// Whether it looks like a number, even a malformed one.
+// Whether it looks like a number, even a malformed one, or says that there is none.
 bool like_a_number(std::string_view text) {
-  return !text.empty() && std::string_view("0123456789.,+-").find(text.front()) != text.npos;
+  return !text.empty() && (std::string_view("0123456789.,+-").find(text.front()) != text.npos ||
+                           is_missing_number(text));
 }
 
 std::size_t filled(const Row& row) {
@@ -93,6 +94,9 @@ bool is_header(std::span<const Row> rows, const RowReader& reader, std::string& 
   if (two && !has_word) {
     doubtful(fmt::format("{} is not a cost, and {}", shown(first[1].text),
                          others > 0 ? "other rows have one" : "no other row has one"));
+  }
+  if (has_word && first.size() == 2 && !two && others > 0) {
+    doubtful("its second field is empty, and other rows have a cost there");
   }
   if (has_word) {
     return true;
