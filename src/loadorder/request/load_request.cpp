@@ -12,6 +12,7 @@
 #include "io/request/request_schema.hpp"
 #include "io/request/request_words.hpp"
 #include "io/request/search_options.hpp"
+#include "loadorder/order/lockstep/check_disjoint.hpp"
 #include "loadorder/pairs/pair_costs.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
@@ -256,17 +257,13 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
                                            words.key("done_items"), *request.done_items,
                                            words.key("items"), items));
   }
-  if (request.disjoint && all && !request.against && !request.done_items && *request.workers > 1 &&
-      items / *request.workers < *request.room) {
-    const std::uint64_t most = items / *request.workers;
-    const std::string less =
-        most < 2 ? "" : fmt::format("{} {} or less, or ", words.key("room"), most);
-    words.refuse(
-        "disjoint",
-        fmt::format("{}: {} workers with room for {} would hold more than {}; give {}fewer "
-                    "workers",
-                    words.key("disjoint"), *request.workers, *request.room, count_of(items, "item"),
-                    less));
+  if (request.disjoint && all && !request.against && !request.done_items &&
+      items > most_items_of_crowded && *request.workers > items / 2) {
+    words.refuse("disjoint",
+                 fmt::format("{}: {} workers with two items each would hold more than all {}; "
+                             "give {} {} or less",
+                             words.key("disjoint"), *request.workers, items, words.key("workers"),
+                             items / 2));
   }
   if ((request.disjoint || request.fast_room) && all && items > max_elements_in_memory) {
     words.refuse(request.disjoint ? "disjoint" : "fast_room",

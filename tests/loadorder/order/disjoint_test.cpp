@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <deque>
 #include <map>
 
@@ -294,8 +295,38 @@ TEST(Disjoint, ComesCloseToTheBound) {
   EXPECT_EQ(plan_disjoint_order(64, 2, 32).facts().span, 64U);  // a tournament: the bound
 }
 
+// Workers that together have room for more than all items.
+TEST(Disjoint, CrowdedWorkersShareFewItems) {
+  for (const auto& [items, room, workers] :
+       std::vector<std::array<std::uint64_t, 3>>{{1, 2, 2},
+                                                 {2, 2, 3},
+                                                 {3, 4, 2},
+                                                 {5, 5, 2},
+                                                 {10, 4, 4},
+                                                 {10, 30, 20},
+                                                 {15, 8, 2},
+                                                 {40, 12, 7},
+                                                 {400, 90, 6}}) {
+    const LoadOrder order = plan_disjoint_order(items, room, workers);
+    const LoadOrderFacts& facts = order.facts();
+    const std::string what = fmt::format("{} {} {}", items, room, workers);
+    EXPECT_EQ(fault_of(steps_of(order), items, room), "") << what;
+    EXPECT_GE(facts.loads, facts.bound.loads) << what;
+    EXPECT_GE(facts.makespan(), facts.makespan_bound.loads) << what;
+    // No item is done, which is the same job.
+    const LoadOrder same = plan_disjoint_order(WantedPairs::beyond(0, items), room, workers);
+    EXPECT_EQ(fault_of(steps_of(same), items, room), "") << what;
+    if (items > 2) {
+      const auto levels = plan_disjoint_levels(WantedPairs::beyond(0, items), room, 2, workers);
+      EXPECT_EQ(levels.facts().lockstep, workers);
+    }
+  }
+}
+
 TEST(Disjoint, RefusesTooManyWorkersAndTooManyItems) {
-  EXPECT_THROW(static_cast<void>(plan_disjoint_order(15, 8, 2)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(plan_disjoint_order(400, 8, 201)), BadInput,
+                 "201 workers with two items each would hold more than all 400; give at most 200 "
+                 "workers");
   EXPECT_REFUSAL(static_cast<void>(plan_disjoint_order(15, 4, 0)), BadInput,
                  "0 workers: give 1 to 65536");
   EXPECT_REFUSAL(static_cast<void>(plan_disjoint_order(15, 4, 70'000)), BadInput,

@@ -141,7 +141,7 @@ TEST(LockstepLevels, GoWithStoresAndEpochsAndWhatIsWrongIsFound) {
 }
 
 TEST(LockstepLevels, TooManyItemsOrPairsAreRefused) {
-  EXPECT_THROW(static_cast<void>(plan_disjoint_levels(20, 6, 4, 4)), BadInput);
+  EXPECT_THROW(static_cast<void>(plan_disjoint_levels(400, 6, 4, 201)), BadInput);
   EXPECT_THROW(static_cast<void>(plan_disjoint_levels(20, 4, 5, 2)), BadInput);
   EXPECT_THROW(static_cast<void>(plan_disjoint_levels(70'000, 4, 3, 2)), ImpossibleParameters);
 }

@@ -188,13 +188,13 @@ std::optional<GroupedOrder> grown_order(const LoadOrderFacts& facts,
 void consider_all_pairs(LoadOrderFacts& facts, const PairGraph& graph, LockstepLists& best,
                         LoadOrderOptions options) {
   const std::uint64_t items = facts.items;
-  if (2 * graph.pairs() < binomial(items, 2) || items > max_elements_in_memory ||
-      items / facts.lockstep < facts.room ||
+  const std::uint64_t room = std::min(facts.room, items / facts.lockstep);
+  if (2 * graph.pairs() < binomial(items, 2) || items > max_elements_in_memory || room < 2 ||
       makespan_lower_bound(items, facts.room, facts.lockstep).loads >= best.span) {
     return;
   }
   options.search_pairs = nullptr;
-  const LoadOrder all = plan_disjoint_order(items, facts.room, facts.lockstep, options);
+  const LoadOrder all = plan_disjoint_order(items, room, facts.lockstep, options);
   LockstepLists lists = lists_of(events_of(*all.stream(), facts.lockstep), &graph);
   if (std::pair(lists.span, lists.loads) < std::pair(best.span, best.loads)) {
     best = std::move(lists);
@@ -205,7 +205,7 @@ void consider_all_pairs(LoadOrderFacts& facts, const PairGraph& graph, LockstepL
 
 // Orders for disjoint workers of some pairs only.
 WorkerMaker listed_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
-  const WantedPairs list = as_list(facts.wanted);
+  const WantedPairs list = as_list(facts.wanted.among(facts.items));
   LockstepLists found = lockstep_of_list(facts, *list.graph(), options);
   consider_all_pairs(facts, *list.graph(), found, options);
   return steps_in(found);
@@ -220,8 +220,19 @@ WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
     facts.explanation = order->facts().explanation;
     return [order](std::uint64_t) { return order->stream(); };
   }
-  if (!facts.wanted.are_all()) {
+  const bool crowded = are_crowded(facts.wanted.among(facts.items), facts.room, facts.lockstep);
+  if (!facts.wanted.are_all() || (crowded && facts.items <= most_items_of_crowded)) {
     return listed_steps(facts, options);
+  }
+  if (crowded) {
+    const std::uint64_t room = facts.items / facts.lockstep;
+    const auto order = std::make_shared<const LoadOrder>(
+        plan_disjoint_order(facts.items, room, facts.lockstep, options));
+    facts.method = order->facts().method;
+    facts.explanation = fmt::format(
+        "Each worker uses room for {}, since all of them have room for more than {} items. {}",
+        room, facts.items, order->facts().explanation);
+    return [order](std::uint64_t worker) { return order->stream(worker); };
   }
   const EraShape shape = best_eras(facts.items, facts.room, facts.lockstep);
   const EraCost eras = cost_of_eras(shape);
@@ -258,13 +269,11 @@ WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
 
 void check_disjoint(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers) {
   const std::uint64_t items = wanted.items();
-  if (wanted.are_all() && workers > 1 && items / workers < room) {
-    const std::string less =
-        items / workers < 2 ? "" : fmt::format("room for {} or less, or ", items / workers);
+  if (are_crowded(wanted, room, workers) && items > most_items_of_crowded && items / workers < 2) {
     throw BadInput(
-        fmt::format("{} workers with room for {} each would hold more than all {} items; give {}"
-                    "fewer workers",
-                    workers, room, items, less));
+        fmt::format("{} workers with two items each would hold more than all {}; give "
+                    "at most {} workers",
+                    workers, items, items / 2));
   }
   if (wanted.graph() == nullptr && items > max_elements_in_memory) {
     throw ImpossibleParameters(
