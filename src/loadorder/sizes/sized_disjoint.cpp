@@ -77,9 +77,22 @@ class Ways {
     }
   }
 
+  /// Where so many workers would above all wait for each other, some of them are idle: one that has
+  /// all of the order waits for none.
   void stretches_of(const LoadOrder& one) {
     const StretchesInLockstep stretches(*graph_, moves_of(*one.stream()));
-    const std::vector<std::size_t> begins = stretches.even_cut(workers_);
+    bool is_better = true;
+    for (std::uint64_t busy = workers_; busy > 0 && is_better; busy /= 2) {
+      const Best before = best_;
+      play(stretches, stretches.even_cut(busy), one);
+      is_better = best_.lists.lists == nullptr || before.lists.lists == nullptr ||
+                  best_.better_than(before);
+    }
+  }
+
+ private:
+  void play(const StretchesInLockstep& stretches, const std::vector<std::size_t>& begins,
+            const LoadOrder& one) {
     stretches.play_each(begins, 4 * (one.facts().loads + 1), [&](LockstepEvents events) {
       best_.consider(lists_of(std::move(events), graph_, &sizes_), "stretches",
                      fmt::format("An order of one worker is cut into {}. A worker waits for an "
@@ -88,7 +101,6 @@ class Ways {
     });
   }
 
- private:
   // How many groups are at a worker at once; the last one has room for any items.
   [[nodiscard]] std::vector<std::uint64_t> rooms() const {
     const std::uint64_t most = sizes_.memory / largest_;

@@ -124,6 +124,22 @@ TEST(SizedDisjoint, OneItemOfMoreThanHalfOfMemory) {
   EXPECT_EQ(played.met.size(), 21U);
 }
 
+// So many workers would wait for the largest item for ever.
+TEST(SizedDisjoint, SurplusWorkersAreIdle) {
+  const std::vector<std::uint64_t> bytes{5, 5, 5, 5, 97, 5, 5, 610, 5, 3, 9, 1};
+  auto sizes = std::make_shared<ItemSizes>(*sizes_of(bytes, 783));
+  sizes->fast_memory = 766;
+  for (const std::uint64_t workers : {2U, 4U, 8U, 12U, 20U}) {
+    const LoadOrder order = plan_disjoint_order(sizes, 12, workers);
+    const Played played = play_lockstep(order, workers, *sizes);
+    EXPECT_EQ(played.fault, "") << workers;
+    EXPECT_EQ(played.met.size(), 66U) << workers;
+    EXPECT_LE(order.facts().span_bytes, 989U) << workers;  // one of them alone is as good
+    const LoadOrder levels = plan_disjoint_levels(sizes, 12, workers);
+    EXPECT_EQ(play_lockstep(levels, workers, *sizes).met.size(), 66U) << workers;
+  }
+}
+
 TEST(SizedDisjoint, TheCheckFindsTooManyBytesAndItemsHeldTwice) {
   const auto sizes = sizes_of({6, 5, 4, 3}, 11);
   const ScheduleRules rules{.items = 4, .room = 3, .lockstep = 2, .sizes = sizes};
