@@ -179,8 +179,8 @@ LoadsAnswer::LoadsAnswer(CheckedLoads asked, const LoadOrderOptions& options)
     try {
       static_cast<void>(order()->stream_from(*how_.from_step));
     } catch (const BadInput& fault) {
-      throw BadInput(
-          fmt::format("{} {}: {}", words.key("from_step"), *how_.from_step, fault.what()));
+      words.refuse("from_step",
+                   fmt::format("{} {}: {}", words.key("from_step"), *how_.from_step, fault.what()));
     }
   }
 }
