@@ -119,11 +119,6 @@ void check_item_name(const RowReader& rows, const Field& field) {
                                  "remove it",
                                  word, *character));
   }
-  if (word.find('|') != std::string_view::npos) {
-    rows.fail(field, fmt::format("the name '{}' has a '|', which stands between the names of a "
-                                 "pair; rename it",
-                                 word));
-  }
 }
 
 void check_written_plainly(const RowReader& rows, const Field& field) {

@@ -436,6 +436,23 @@ void refuse_in_format(const CheckedLoads& asked, std::string_view why,
   }
 }
 
+// Text and CSV write pairs as a|b.
+void check_names_of_pairs(const CheckedLoads& asked) {
+  const PairGraph* const graph = asked.wanted().graph();
+  if (graph == nullptr || !(asked.request().new_pairs || asked.request().prefetch)) {
+    return;
+  }
+  const Words words(load_table(), asked.request(), asked.door());
+  for (const std::string& name : graph->names()) {
+    if (name.find('|') != std::string::npos) {
+      throw BadInput(
+          fmt::format("the name '{}' has a '|', which stands between the names of a pair in text "
+                      "and CSV; rename it, ask for JSON, or leave out {}",
+                      name, words.key(asked.request().prefetch ? "prefetch" : "new_pairs")));
+    }
+  }
+}
+
 }  // namespace
 
 void check_format(const CheckedLoads& asked, std::string_view format) {
@@ -444,6 +461,9 @@ void check_format(const CheckedLoads& asked, std::string_view format) {
                      {"workers", "fast_room", "fast_memory", "prefetch", "from_step"});
     check_whole_epochs(asked.request(), asked.wanted(),
                        Words(load_table(), asked.request(), asked.door()));
+  }
+  if (format == "text" || format == "csv") {
+    check_names_of_pairs(asked);
   }
   if (format == "colmap") {
     refuse_in_format(asked, "a list for COLMAP has each pair once",

@@ -389,5 +389,29 @@ TEST(LoadsAnswer, FormatsRefuseWhatTheyHaveNoPlaceForAtEachDoor) {
             "Marius has one buffer, and its order from the first step; leave out --workers");
 }
 
+// Only where pairs are written as a|b would a name with a bar be two.
+TEST(LoadsAnswer, ANameMayHaveABarWherePairsAreNotWritten) {
+  const auto graph = [] {
+    return std::make_shared<const PairGraph>(2, std::vector<ItemPair>{{0, 1}},
+                                             std::vector<std::string>{"a|b", "c"});
+  };
+  LoadRequest request;
+  request.room = 2;
+  const auto written = [&](const std::string& format) {
+    StringSink sink;
+    answer(request, graph())->write(format, sink);
+    return sink.text();
+  };
+  EXPECT_EQ(written("csv"), "step,load,evict\n1,a|b c,\n");
+  EXPECT_EQ(written("colmap"), "a|b c\n");
+  request.new_pairs = true;
+  EXPECT_THAT(written("jsonl"), HasSubstr(R"("new_pairs":[["a|b","c"]])"));
+  EXPECT_THROW(written("csv"), BadInput);
+  EXPECT_THROW(written("text"), BadInput);
+  request.new_pairs = false;
+  request.prefetch = true;
+  EXPECT_THROW(written("csv"), BadInput);
+}
+
 }  // namespace
 }  // namespace changeover::loads_answer_test
