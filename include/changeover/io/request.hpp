@@ -125,6 +125,7 @@ struct OptionRecord {
   std::string_view python = {};              ///< the argument there, if it has another name
   std::string_view not_in_server = {};       ///< why it is not there; empty: it is
   std::string_view not_in_python = {};
+  std::string_view in_python = {};  ///< how it is there, if it is not all that documents have
   /// What C calls it (changeover/loadorder/changeover_loadorder.h); empty: C does not take it.
   std::string_view c = {};
   bool of_every_search = false;  ///< on the command line every verb that searches has it

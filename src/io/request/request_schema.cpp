@@ -193,6 +193,16 @@ std::string request_schema(std::string_view format, std::string_view title,
   return json.end_array().end_object().take() + "\n";
 }
 
+namespace {
+
+// "`pairs` (numbers only)".
+std::string in_python(const OptionRecord& record) {
+  return fmt::format("`{}`{}", record.python.empty() ? record.key : record.python,
+                     record.in_python.empty() ? "" : fmt::format(" ({})", record.in_python));
+}
+
+}  // namespace
+
 std::string doors_table(const std::vector<OptionRecord>& records) {
   const bool in_c =
       std::ranges::any_of(records, [](const OptionRecord& record) { return !record.c.empty(); });
@@ -203,7 +213,6 @@ std::string doors_table(const std::vector<OptionRecord>& records) {
   std::string reasons;
   for (const OptionRecord& record : records) {
     const std::string key(record.key);
-    const std::string python(record.python.empty() ? record.key : record.python);
     std::string help(record.help);
     for (std::size_t at = help.find('|'); at != std::string::npos; at = help.find('|', at + 2)) {
       help.insert(at, "\\");
@@ -212,7 +221,7 @@ std::string doors_table(const std::vector<OptionRecord>& records) {
     text += fmt::format("| `{}` | `{}` | {} | {} |{} {} | {} | {} |\n", key,
                         spelled_with_value(record, Door::command_line),
                         record.not_in_server.empty() ? "yes" : "no",
-                        record.not_in_python.empty() ? "`" + python + "`" : "no", in_c ? c : "",
+                        record.not_in_python.empty() ? in_python(record) : "no", in_c ? c : "",
                         help, record.unit, record.by_default);
     if (!record.not_in_server.empty()) {
       reasons += fmt::format("- The server does not take `{}`: {}.\n", key, record.not_in_server);

@@ -25,6 +25,9 @@ using R = LoadRequest;
 // A search leaves the server time to read what it finds.
 constexpr SearchTimes times_of_orders{.command_line = 0, .server = 0, .most_of_server = 30};
 
+// Orders in Python have items by their numbers.
+constexpr std::string_view only_numbers = "numbers only";
+
 std::vector<RequestOption<R>> options() {
   auto all = with_search_options<R>(
       {
@@ -35,10 +38,11 @@ std::vector<RequestOption<R>> options() {
           option("pairs", "FILE",
                  "only the pairs listed there, two items per line (text, CSV, .xlsx); \"-\": "
                  "standard input; with --workers a third column may say what a pair costs",
-                 &R::pairs, {.shape = RowShape::costs, .c = "pairs"}),
+                 &R::pairs, {.shape = RowShape::costs, .in_python = only_numbers, .c = "pairs"}),
           option("groups", "FILE",
                  "only the pairs within the groups listed there, one group of items per line",
-                 &R::groups, {.shape = RowShape::groups, .c = "group_items"}),
+                 &R::groups,
+                 {.shape = RowShape::groups, .in_python = only_numbers, .c = "group_items"}),
           option("against", "B", "each of the P items with each of B others", &R::against,
                  {.unit = "items", .c = "against"}),
           option("done_items", "N", "the pairs of the first N items are done", &R::done_items,
@@ -51,7 +55,7 @@ std::vector<RequestOption<R>> options() {
           option("sizes", "FILE",
                  "items differ in size: an item and its bytes per line, or the bytes of items "
                  "0, 1, … in turn; --memory says how many fit",
-                 &R::sizes, {.shape = RowShape::sizes}),
+                 &R::sizes, {.shape = RowShape::sizes, .in_python = only_numbers}),
           option("memory", "SIZE", "bytes in memory at once, of items with --sizes", &R::memory,
                  {.unit = "bytes", .of_every_search = true}),
           option("fast_memory", "SIZE",
@@ -72,7 +76,10 @@ std::vector<RequestOption<R>> options() {
                  "what pairs cost to compute, two items and a number per line; costs are spread "
                  "evenly over workers",
                  &R::pair_cost,
-                 {.by_default = "1 each", .shape = RowShape::weights, .c = "pair_cost"}),
+                 {.by_default = "1 each",
+                  .shape = RowShape::weights,
+                  .in_python = only_numbers,
+                  .c = "pair_cost"}),
           option("from_step", "N",
                  "begin at step N, which loads all that is in memory then; not for workers or new "
                  "pairs",
