@@ -549,7 +549,7 @@ def all_pairs(
     path: str, item_bytes: int, room: int,
     compute: Callable[[int, int, memoryview, memoryview], object], *, header_bytes: int = 0,
     threads: int = 1, journal: str = "", share: Optional[Tuple[int, int]] = None,
-    earlier: Iterable[str] = (), verify_beside: bool = False,
+    earlier: Iterable[str] = (), verify_beside: bool = False, short_last: bool = False,
 ) -> Report:
     """Runs an all-pairs job over a file of items of item_bytes each, with at most `room` of them in
     memory.
@@ -559,7 +559,8 @@ def all_pairs(
     valid, and keep the item in memory beyond the room. With a journal, a job that was ended
     continues where it was. share: (i, n) computes the i-th of n shares, from 0; earlier: journals
     of a run with another number of shares, whose pairs are not computed again. verify_beside: start
-    before the order is verified. An exception of compute ends the job. Raises BadInput,
+    before the order is verified. short_last: the last item may have fewer bytes; without it, a file
+    that is not whole items is refused. An exception of compute ends the job. Raises BadInput,
     MissingResource.
     """
     journals = []
@@ -569,7 +570,7 @@ def all_pairs(
         journals.append(file_name("earlier", words_of(name)))
     return made(Report, _core.all_pairs(
         path, item_bytes, room, compute, header_bytes, threads, journal, *share_of(share), journals,
-        verify_beside))
+        verify_beside, short_last))
 
 
 def update_pairs(

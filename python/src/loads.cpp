@@ -333,14 +333,14 @@ void call(const py::function& compute, const PairWork& pair) {
 py::dict run(const std::string& path, std::uint64_t item_bytes, std::uint64_t room,
              const py::function& compute, std::uint64_t header_bytes, std::uint64_t threads,
              const std::string& journal, std::uint64_t share, std::uint64_t shares,
-             const std::vector<std::string>& earlier, bool verify_beside) {
+             const std::vector<std::string>& earlier, bool verify_beside, bool short_last) {
   if (threads == 0) {
     throw BadInput("threads 0: give at least 1");
   }
   AllPairsReport report;
   LongWork work({.threads = 1});
   work.run([&](RunControl& control) {
-    FileItems file(path, item_bytes, {.header_bytes = header_bytes});
+    FileItems file(path, item_bytes, {.header_bytes = header_bytes, .whole_items = !short_last});
     LoadOrderOptions planning;
     planning.read_first = !verify_beside;
     const LoadOrder loads = plan_load_order(file.item_count(), room, planning);

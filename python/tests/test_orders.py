@@ -224,6 +224,24 @@ class Orders(unittest.TestCase):
         self.assertTrue(order.verified())
         self.assertTrue(changeover.load_order(30, 7, workers=3, verify_beside=True).verified())
 
+    def test_a_short_last_item_is_meant_or_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "items")
+            with open(path, "wb") as file:
+                file.write(bytes(102))
+            sizes = set()
+
+            def compute(i, j, first, second):
+                sizes.add(len(first))
+
+            with self.assertRaisesRegex(changeover.BadInput, "the last one would have 2"):
+                changeover.all_pairs(path, 10, 4, compute)
+            self.assertTrue(
+                changeover.all_pairs(path, 10, 4, compute, header_bytes=2).finished)
+            self.assertEqual(sizes, {10})
+            self.assertTrue(changeover.all_pairs(path, 10, 4, compute, short_last=True).finished)
+            self.assertEqual(sizes, {2, 10})
+
     def test_other_shares_go_on_with_a_job(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "items")

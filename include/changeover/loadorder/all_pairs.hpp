@@ -218,12 +218,15 @@ struct FileItemsOptions {
   /// Keeps the data out of the page cache: with O_DIRECT or, where a file system lacks it, by
   /// ordinary reads whose pages are dropped afterwards (posix_fadvise, POSIX_FADV_DONTNEED).
   bool bypass_cache = false;
+  /// Refuses a file whose last item would be shorter than the others.
+  bool whole_items = false;
 };
 
 /// A file that is cut into items of the same size.
 class FileItems final : public ItemSource {
  public:
-  /// @throws BadInput if item_bytes = 0, the file is not a regular one or holds no item;
+  /// @throws BadInput if item_bytes = 0, the file is not a regular one or holds no item, or its last
+  /// item is short and may not be;
   /// MissingResource if it cannot be opened.
   FileItems(const std::string& path, std::uint64_t item_bytes,
             const FileItemsOptions& options = {});

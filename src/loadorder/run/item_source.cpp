@@ -91,6 +91,12 @@ FileItems::FileItems(const std::string& path, std::uint64_t item_bytes,
     throw BadInput(
         fmt::format("{}: has {} bytes and holds no item; name another file", path, s.file_bytes));
   }
+  if (const std::uint64_t last = s.data_bytes() % item_bytes; options.whole_items && last != 0) {
+    throw BadInput(fmt::format(
+        "{}: its {} bytes are not whole items of {}: the last one would have {}; correct the size "
+        "of an item, or allow a short last one",
+        path, s.data_bytes(), item_bytes, last));
+  }
   if (s.bypass) {
     s.direct = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECT);
     s.direct_works = s.direct >= 0;
