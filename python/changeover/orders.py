@@ -512,8 +512,8 @@ def load_order(  # type: ignore[misc]  # the second one says only what comes of 
     also each item with itself; shuffle: in random order. write_back: work() has the changed items
     that are stored. prefetch: work() has the pairs that are computed while loads run. epochs: every
     pair meets in each of them; epochs alternate between forward and backward, and memory stays as
-    it is between them. spread: with new_pairs or write_back, a pair goes to a random one of the
-    steps that have it, balanced over the steps, by seed.
+    it is between them. spread: a pair goes to a random one of the steps that have it, balanced over
+    the steps, by seed; without write_back this implies new_pairs.
 
     sizes, instead of room: the bytes of the items, in turn or as a mapping from item to bytes, each
     a number or as in "4M"; `memory` bytes are held at a time, by each worker. fast_room, or with
@@ -530,8 +530,10 @@ def load_order(  # type: ignore[misc]  # the second one says only what comes of 
         "items": items, "room": room, "pairs": None if ends is None else [],
         "groups": None if groups is None else _group_rows(groups), "against": against,
         "done_items": done_items, "workers": workers, "disjoint": disjoint,
-        "write_back": write_back, "new_pairs": new_pairs, "prefetch": prefetch,
-        "ordered": ordered, "self": with_self, "shuffle": shuffle, "first_holder": first_holder,
+        "write_back": write_back,
+        "new_pairs": new_pairs or (spread and not (write_back or prefetch)),
+        "prefetch": prefetch, "ordered": ordered, "self": with_self, "shuffle": shuffle,
+        "first_holder": first_holder,
         "pair_cost": costs or (None if pair_cost is None else _cost_rows(pair_cost)),
         "verify_beside": verify_beside, "epochs": epochs, "spread": spread,
         "sizes": None if sizes is None else _size_rows(sizes), "memory": memory,

@@ -469,6 +469,8 @@ class Epochs(unittest.TestCase):
             for state, each in zip(epoch["buffer_states"], epoch["edge_buckets_per_buffer"]):
                 self.assertEqual(len(set(state)), 4)
                 self.assertTrue(set(sum(each, [])) <= set(state))
+        alone = changeover.load_order(16, 4, epochs=2, spread=True)
+        self.assertEqual(alone.for_marius(), order.for_marius())
         with self.assertRaisesRegex(changeover.BadInput, "one buffer"):
             changeover.load_order(16, 4, prefetch=True).for_marius()
         # Not only the command line holds to what fits into memory.
