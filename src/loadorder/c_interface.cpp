@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -162,6 +163,15 @@ changeover::WantedPairs wanted_by(const changeover_loadorder_options& asked, std
       1) {
     throw BadInput("give one of pairs, groups, against and done_items");
   }
+  // A forgotten list is not all pairs.
+  if (!listed && asked.pair_count > 0) {
+    throw BadInput("pair_count is " + std::to_string(asked.pair_count) +
+                   ", but pairs is NULL; give both");
+  }
+  if (!grouped && asked.group_count > 0) {
+    throw BadInput("group_count is " + std::to_string(asked.group_count) +
+                   ", but group_items is NULL; give both");
+  }
   if (grouped) {
     return WantedPairs::listed(groups_in(asked, items));
   }
@@ -202,6 +212,9 @@ changeover_loadorder* opened(std::uint64_t items, std::uint64_t room,
   const RunScope scope(control);
   if (asked.disjoint != 0) {
     check_disjoint_options(asked);
+  }
+  if (!std::isfinite(asked.seconds) || asked.seconds < 0) {
+    throw BadInput("seconds is not a number of seconds, 0 or more; correct it");
   }
   const WantedPairs wanted = wanted_by(asked, items);
   constexpr double most_seconds = 1e9;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -248,6 +249,26 @@ TEST(COptions, DisjointWorkersShowLoadsWithoutPairsAndBeginAtTheirFirstStep) {
             std::string::npos);
   EXPECT_EQ(changeover_loadorder_take_worker(order, 2), CHANGEOVER_LOADORDER_ERROR);
   changeover_loadorder_close(order);
+}
+
+// A list that was forgotten is not all pairs, and seconds are checked as elsewhere.
+TEST(COptions, ForgottenListsAndSecondsThatAreNoneAreRefused) {
+  char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
+  const auto refused = [&](const changeover_loadorder_options& options) {
+    EXPECT_EQ(changeover_loadorder_open_with(10, 3, &options, error, sizeof error), nullptr);
+    return std::string(error);
+  };
+  changeover_loadorder_options options = some_options();
+  options.pair_count = 2;
+  EXPECT_EQ(refused(options), "pair_count is 2, but pairs is NULL; give both");
+  options = some_options();
+  options.group_count = 3;
+  EXPECT_EQ(refused(options), "group_count is 3, but group_items is NULL; give both");
+  for (const double seconds : {std::nan(""), -1.0, HUGE_VAL}) {
+    options = some_options();
+    options.seconds = seconds;
+    EXPECT_EQ(refused(options), "seconds is not a number of seconds, 0 or more; correct it");
+  }
 }
 
 TEST(COptions, DisjointWorkersAreRefusedWhatTheyCannotHave) {
