@@ -93,6 +93,9 @@ struct JobRequest {
 [[nodiscard]] JobRequest job_request(std::string json, std::string name = "",
                                      Door door = Door::document);
 
+/// The same for the server: messages do not name keys that it does not take.
+[[nodiscard]] JobRequest job_request_sent(std::string json, std::string name);
+
 /// Returns a JSON Schema (draft 2020-12) of the document.
 [[nodiscard]] std::string job_request_schema();
 

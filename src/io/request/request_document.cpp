@@ -87,11 +87,13 @@ RequestPlaces RequestDocument::places() const {
   return places;
 }
 
-void RequestDocument::require_known(const std::vector<std::string_view>& keys) const {
+void RequestDocument::require_known(const std::vector<std::string_view>& keys,
+                                    const std::vector<std::string_view>& taken) const {
   for (const auto& [key, node] : object_.members) {
     if (key != "format" && std::ranges::find(keys, key) == keys.end()) {
-      fail(node, "",
-           fmt::format("unknown key '{}'; the keys are {}", printable(key), fmt::join(keys, ", ")));
+      fail(
+          node, "",
+          fmt::format("unknown key '{}'; the keys are {}", printable(key), fmt::join(taken, ", ")));
     }
   }
 }

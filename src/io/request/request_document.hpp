@@ -36,8 +36,14 @@ class RequestDocument {
   void rename(std::string_view from, std::string_view to);
   [[noreturn]] void fail(const JsonNode& at, std::string_view key, std::string_view what) const;
 
-  /// @throws BadInput for a member that is not one of these.
-  void require_known(const std::vector<std::string_view>& keys) const;
+  /// @throws BadInput for a member that is not one of the keys, in a line that names those that are
+  /// taken here.
+  void require_known(const std::vector<std::string_view>& keys,
+                     const std::vector<std::string_view>& taken) const;
+
+  /// Messages do not name keys that the server does not take.
+  void for_server() { is_for_server_ = true; }
+  [[nodiscard]] bool is_for_server() const { return is_for_server_; }
 
   [[nodiscard]] std::uint64_t number(const OptionRecord& record, const JsonNode& node) const;
   [[nodiscard]] double seconds(const OptionRecord& record, const JsonNode& node) const;
@@ -57,6 +63,7 @@ class RequestDocument {
   Door door_;
   JsonNode object_;
   std::pair<std::string_view, std::string_view> renamed_;  // from, to
+  bool is_for_server_ = false;
 };
 
 /// The value as JSON.
@@ -133,9 +140,13 @@ template <typename Request>
 Request read_request(const RequestTable<Request>& table, const RequestDocument& document) {
   Request request;
   std::vector<std::string_view> keys;
+  std::vector<std::string_view> taken;
   for (const auto& option : table.options) {
     const OptionRecord& record = option.record;
     keys.push_back(record.key);
+    if (record.not_in_server.empty() || !document.is_for_server()) {
+      taken.push_back(record.key);
+    }
     const JsonNode* const node = document.find(record.key);
     if (node == nullptr) {
       continue;
@@ -160,7 +171,7 @@ Request read_request(const RequestTable<Request>& table, const RequestDocument& 
         },
         option.field);
   }
-  document.require_known(keys);
+  document.require_known(keys, taken);
   request.places = document.places();
   return request;
 }

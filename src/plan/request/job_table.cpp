@@ -217,8 +217,9 @@ const RequestTable<JobRequest>& job_table() {
 
 std::string to_json(const JobRequest& request) { return request_as_json(job_table(), request); }
 
-JobRequest job_request(std::string json, std::string name, Door door) {
-  RequestDocument document(job_table().format, std::move(json), std::move(name), door);
+namespace {
+
+JobRequest read_job_request(RequestDocument document) {
   if (const JsonNode* const parts = document.find("parts");
       parts != nullptr && parts->is_number()) {
     document.rename("parts", "items");
@@ -227,6 +228,19 @@ JobRequest job_request(std::string json, std::string name, Door door) {
     return request;
   }
   return read_request(job_table(), document);
+}
+
+}  // namespace
+
+JobRequest job_request(std::string json, std::string name, Door door) {
+  return read_job_request(
+      RequestDocument(job_table().format, std::move(json), std::move(name), door));
+}
+
+JobRequest job_request_sent(std::string json, std::string name) {
+  RequestDocument document(job_table().format, std::move(json), std::move(name));
+  document.for_server();
+  return read_job_request(std::move(document));
 }
 
 std::string job_request_schema() {

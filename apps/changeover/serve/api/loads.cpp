@@ -39,6 +39,7 @@ void require_at_most(const LoadRequest& request, std::string_view key,
 
 CheckedLoads sent_loads(const Request& sent) {
   RequestDocument document(load_table().format, sent.body, std::string(name_of_body));
+  document.for_server();
   document.rename("bytes_per_item", "item_bytes");  // its older name
   const LoadRequest request = read_request(load_table(), document);
   require_of_server(request, load_table());

@@ -18,7 +18,7 @@ namespace changeover::serve {
 namespace {
 
 JobRequest job_in(const std::string& body) {
-  JobRequest request = job_request(body, std::string(name_of_body));
+  JobRequest request = job_request_sent(body, std::string(name_of_body));
   require_of_server(request, job_table());
   return request;
 }
