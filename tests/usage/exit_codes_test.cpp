@@ -89,7 +89,7 @@ const std::vector<Case>& cases() {
       {"$changeover same good.txt good.txt -o good.txt", 2, "is the same file as A"},
       {"$changeover expand good.txt -o good.txt", 2, "is the same file as the design"},
       {"$changeover minima --data - --time 1s", 2, "--data -: rows are read and written"},
-      {"$changeover design -5 4", 2, "V: '-5' is not a whole number"},
+      {"$changeover design -5 4", 2, "V: '-5' is below 0; give a whole number, 0 or more"},
       {"$changeover design 61 4 --change 5", 2, "change = 5"},
       {"$changeover verify good.txt --strength 9", 2, "--strength 9 is out of range"},
       {"$changeover table --v x", 2, "whole numbers"},

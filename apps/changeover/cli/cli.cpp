@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <new>
 #include <stdexcept>
@@ -25,6 +26,7 @@
 #include "cli/terminal.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/request/request_words.hpp"
 #include "request/output.hpp"
 #include "shell/features.hpp"
@@ -115,8 +117,22 @@ std::string whole_number_defect(const std::string& given) {
   if (failure == std::errc::result_out_of_range) {
     return given + " is too large; give at most 18446744073709551615";
   }
-  return failure == std::errc() && rest == end ? std::string()
-                                               : "'" + given + "' is not a whole number";
+  if (failure == std::errc() && rest == end) {
+    return "";
+  }
+  if (given.size() > 1 && given[0] == '-' &&
+      std::all_of(given.begin() + 1, given.end(), is_digit)) {
+    return "'" + given + "' is below 0; give a whole number, 0 or more";
+  }
+  // "1e3", "4.0": the number that is meant, in digits.
+  double meant = -1;
+  const auto [stop, bad] = std::from_chars(given.data(), end, meant);
+  constexpr double most = 1e15;  // every whole number up to it is a double
+  if (bad == std::errc() && stop == end && meant >= 0 && meant <= most &&
+      std::floor(meant) == meant) {
+    return fmt::format("'{}' is not written in digits alone; write {:.0f}", given, meant);
+  }
+  return "'" + given + "' is not a whole number";
 }
 
 // Whatever the verb, its answer must not replace the user's designs.

@@ -278,10 +278,13 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
                              words.key(request.disjoint ? "disjoint" : "fast_room"),
                              max_elements_in_memory));
   }
-  if (items > most_items || request.against.value_or(0) > most_items) {
-    words.refuse("items", fmt::format("{} and {} are too large; give at most {}",
-                                      words.key("items"), words.key("against"), most_items));
-  }
+  const auto at_most = [&](std::string_view key, std::uint64_t given) {
+    if (given > most_items) {
+      words.refuse(key, fmt::format("{} {}: give at most {}", words.key(key), given, most_items));
+    }
+  };
+  at_most("items", items);
+  at_most("against", request.against.value_or(0));
   if (request.against && items + *request.against > most_items) {
     words.refuse("items", fmt::format("{} {} and {} {} are {} items together; at most {}",
                                       words.key("items"), items, words.key("against"),
