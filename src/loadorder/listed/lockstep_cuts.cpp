@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 #include "loadorder/listed/parts.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/listed/stretches_in_lockstep.hpp"
@@ -206,15 +207,15 @@ LockstepLists lockstep_of_list(LoadOrderFacts& facts, const PairGraph& graph,
   if (best.order == Cut::of_parts) {
     facts.method = "parts";
     facts.explanation = fmt::format(
-        "The items are in {} parts. A worker has two of them at a time, which no other one has, "
+        "The items are in {}. A worker has two of them at a time, which no other one has, "
         "and loads what their pairs need.",
-        best.begins.size());
+        count_of(best.begins.size(), "part"));
   } else {
     facts.method = "stretches";
     facts.explanation = fmt::format(
-        "An order of one worker is cut into {} stretches. A worker waits for an item that another "
-        "one holds and needs soon.",
-        best.begins.size());
+        "An order of one worker is cut into {}. A worker waits for an item that another one holds "
+        "and needs soon.",
+        count_of(best.begins.size(), "stretch", "stretches"));
   }
   return std::move(best.lists);
 }

@@ -64,11 +64,15 @@ LoadOrder read_in_full(LoadOrderFacts facts, LoadOrder::Maker maker, const std::
   return {std::move(facts), std::move(maker)};
 }
 
+std::string all_met(std::uint64_t pairs, std::string_view one) {
+  return pairs == 0 ? "no pair is wanted" : all_of(pairs, one) + " met";
+}
+
 std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t all,
                        const std::string& where) {
-  const std::string pairs = count_of(all, "pair");
-  return verdict.computed == all ? fmt::format("{} computed{}, each once", pairs, where)
-                                 : fmt::format("all {} met{}", pairs, where);
+  return verdict.computed == all && all > 0
+             ? fmt::format("{} computed{}, each once", count_of(all, "pair"), where)
+             : all_met(all) + where;
 }
 
 std::string levels_read(const ScheduleVerdict& verdict, std::uint64_t all, bool by_bytes) {

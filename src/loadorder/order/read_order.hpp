@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "changeover/loadorder/load_order.hpp"
 
@@ -30,6 +31,9 @@ inline constexpr std::uint64_t most_loads_read = 200'000'000;
 [[nodiscard]] LoadOrder read_in_full(
     LoadOrderFacts facts, LoadOrder::Maker maker, const std::string& memory,
     const std::function<std::string(const ScheduleVerdict&)>& certificate);
+
+/// "all 6 pairs met", "the pair met"; of none "no pair is wanted".
+[[nodiscard]] std::string all_met(std::uint64_t pairs, std::string_view one = "pair");
 
 /// What such a verdict says of all pairs: "6 pairs computed on the accelerator, each once".
 [[nodiscard]] std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t all,

@@ -76,9 +76,13 @@ void peel(const PairGraph& graph, Visit&& visit) {
   }
 }
 
+std::string all_are_loaded(std::uint64_t items) {
+  return items == 1 ? "the item is loaded" : fmt::format("each of {} items is loaded", items);
+}
+
 LoadBound bound_of_all(std::uint64_t items, std::uint64_t room) {
   if (items <= room) {
-    return {items, fmt::format("each of {} items is loaded", items)};
+    return {items, all_are_loaded(items)};
   }
   const Parameters p{.v = items, .k = room, .change = 1, .kind = Kind::linear};
   const Bound bound = lower_bound(p);
@@ -145,8 +149,7 @@ LoadBound bound_of_list(const PairGraph& graph, std::uint64_t room) {
         "{} items have {} pairs with each other, and {} loads of them bring at most {} together; ",
         largest->core_items, largest->core_pairs, needed - 1, most_pairs(needed - 1, room));
   }
-  bound.reason += bound.reason.empty() ? fmt::format("each of {} items is loaded", items)
-                                       : "each other item is loaded";
+  bound.reason += bound.reason.empty() ? all_are_loaded(items) : "each other item is loaded";
   if (!complete.empty() || largest != nullptr) {
     bound.reason += count > 1 ? fmt::format(", in {} components", count) : std::string();
   }
@@ -157,7 +160,7 @@ LoadBound bound_between(const WantedPairs& wanted, std::uint64_t room) {
   const std::uint64_t items = wanted.items();
   const std::uint64_t by_pairs = least_between(wanted.count(), room);
   if (by_pairs <= items) {
-    return {items, fmt::format("each of {} items is loaded", items)};
+    return {items, all_are_loaded(items)};
   }
   return {by_pairs,
           fmt::format("the first {} loads bring at most {} together, each further one {}, and {} "

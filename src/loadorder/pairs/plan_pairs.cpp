@@ -306,8 +306,7 @@ void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts, const LoadOrde
         "the load order for {} with room for {} is wrong: {}", facts.wanted.describe(), facts.room,
         verdict.valid() ? "it does not keep its promise" : verdict.fault + verdict.example));
   }
-  facts.certificate =
-      fmt::format("every step read, {} met", all_of(facts.wanted.count(), "wanted pair"));
+  facts.certificate = "every step read, " + all_met(facts.wanted.count(), "wanted pair");
 }
 
 // An order for all pairs also serves fewer pairs: nullopt if it has as many loads as the given one,

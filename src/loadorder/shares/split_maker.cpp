@@ -485,11 +485,11 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
   whole.most_bytes = verdict.most_bytes;
   const std::string bytes =
       whole.sizes ? fmt::format(", at most {} bytes in memory", verdict.most_bytes) : "";
-  say(true, whole.fast_room ? levels_read(verdict, facts.all_pairs, whole.sizes != nullptr)
-                            : fmt::format("every step read, {} met{}",
-                                          all_of(facts.all_pairs,
-                                                 whole.wanted.are_all() ? "pair" : "wanted pair"),
-                                          bytes));
+  say(true, whole.fast_room
+                ? levels_read(verdict, facts.all_pairs, whole.sizes != nullptr)
+                : "every step read, " +
+                      all_met(facts.all_pairs, whole.wanted.are_all() ? "pair" : "wanted pair") +
+                      bytes);
 }
 
 // All groups are treated alike: shares with two items per group are right if and only if those with

@@ -264,9 +264,8 @@ LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPa
   }
   static_cast<ScheduleFacts&>(facts) = static_cast<const ScheduleFacts&>(verdict);
   facts.every_step_read = true;
-  facts.certificate =
-      fmt::format("every step read, {} met, at most {} bytes in memory",
-                  all_of(wanted.among(facts.items).count(), "pair"), verdict.most_bytes);
+  facts.certificate = fmt::format("every step read, {}, at most {} bytes in memory",
+                                  all_met(wanted.among(facts.items).count()), verdict.most_bytes);
   return {std::move(facts), std::move(maker)};
 }
 
