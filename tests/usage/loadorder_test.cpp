@@ -256,7 +256,7 @@ TEST(LoadOrderVerb, BeginsAtAnyStep) {
 
 TEST(LoadOrderVerb, SpreadsWhatPairsCost) {
   const TemporaryFolder folder;
-  std::string costs = "first,second,cost\n";
+  std::string costs = "# first,second,cost\n";
   for (int i = 1; i < 24; ++i) {
     costs += "0," + std::to_string(i) + ",40\n";
   }
@@ -304,7 +304,9 @@ TEST(LoadOrderVerb, SpreadsWhatPairsCost) {
         "'0' is not in the listed pairs"},
        {"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost word", 3,
         "word:1:5: 'dear' is not a cost"},
-       {"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost header", 0, "cost"},
+       {"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost header 2>said", 0,
+        "cost"},
+       {"cat said", 0, "header:1:1: the first row was read as names of columns: one, other, cost"},
        {"$changeover loadorder --items 9 --room 4 --pair-cost named", 2, "--workers"},
        {"$changeover loadorder --items 9 --room 4 --worker 0", 2, "--workers"}},
       folder);
@@ -335,8 +337,9 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
             "all evict, wait"},
            {"--items 9 --room 4 --workers 2 --disjoint --new-pairs --ordered --self --json", 0,
             "81 pairs computed, each once"},
-           {"--items 7 --room 4 --workers 2 --disjoint", 2, "give --room 3 or less"},
-           {"--items 3 --room 4 --workers 2 --disjoint", 2, "fewer workers"},
+           {"--items 7 --room 4 --workers 2 --disjoint", 0, "no item at two of them"},
+           {"--items 3 --room 4 --workers 2 --disjoint", 0, "no item at two of them"},
+           {"--items 400 --room 4 --workers 201 --disjoint", 2, "give --workers 200 or less"},
            {"--items 70000 --room 4 --workers 2 --disjoint", 2, "at most 65535"},
            {"--items 9 --room 4 --write-back", 0, "no change is lost"},
            {"--items 24 --room 6 --write-back --json", 0, "\"store_bound\":"},
