@@ -38,8 +38,8 @@ struct Ending {
 const std::vector<Ending>& known_endings() {
   static const std::vector<Ending> all{
       {".txt", {"summary", "text", "table"}, {"summary", "text", "table", "colmap"}},
+      {".json", {"json"}, {"json", "jsonl", "catalog", "marius"}},
       {".jsonl", {"jsonl", "catalog"}, {"jsonl", "catalog", "marius"}},
-      {".json", {"json", "jsonl"}, {"json", "jsonl", "catalog", "marius"}},
       {".ndjson", {"jsonl", "catalog"}, {"jsonl", "catalog", "marius"}},
       {".csv", {"csv"}},
       {".md", {"markdown"}},
