@@ -60,7 +60,6 @@ TEST(TrainEmbeddings, SaysInOneLineWhatIsWrong) {
           {train + "run edges a --journal j --parts 0", 2, "--parts 0: give a whole number"},
           {train + "run edges a --journal j --nonsense 3", 2, "'--nonsense' is not understood"},
           {train, 2, "usage"},
-          {train + "run edges a --journal j --parts 6", 3, "give room for 3 or less"},
           {train + "run words a --journal j", 3, "words:2: two numbers"},
           {train + "run absent a --journal j", 4, "absent"},
           {train + "run edges short --journal j", 4, "short"}},
