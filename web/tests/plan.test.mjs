@@ -28,6 +28,7 @@ test('before a plan: what will come, and an example by one press', async (explor
   const page = await explorer.open('#/plan');
   const picture = page.getByRole('img', { name: /^Eight tests of four parts/ });
   await picture.waitFor();
+  await page.getByText('How it works, in three steps').click();
   await page.getByText('Press Plan. You get the set-ups in their order').waitFor();
   await hurried(page);
   await page.getByRole('button', { name: 'Try it: a pump bench' }).click();
@@ -39,8 +40,11 @@ test('before a plan: what will come, and an example by one press', async (explor
 test('what is missing is said where it is missing', async (explorer) => {
   const page = await explorer.open('#/plan', { mayFail: /422/ });
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
-  await page.getByRole('alert').getByText('fewer than two parts').waitFor();
+  const alert = page.getByRole('alert');
+  await alert.getByText('fewer than two parts').waitFor();
+  await page.locator('.plan-what', { has: alert }).waitFor();
   await nameOf(page, 1).fill('Pump');
+  assert.equal(await alert.count(), 0, 'what is being mended is no longer at fault');
   await nameOf(page, 2).fill('Pump');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await page.getByRole('alert').getByText('“Pump” is in the list twice').waitFor();
@@ -65,6 +69,11 @@ test('what is missing is said where it is missing', async (explorer) => {
   // A refusal stands in the field that it speaks of.
   const within = (name) => page.locator('.field', { has: page.getByRole('textbox', { name }) });
   await within('Must never be in one set-up').getByRole('alert').waitFor();
+  const room = page.getByRole('spinbutton', { name: 'How many fit at once' });
+  await room.fill('1');
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await page.locator('.field', { has: room }).getByText('a pair needs room for two').waitFor();
+  await room.fill('3');
   await page.getByRole('textbox', { name: 'Cost of a test' }).fill('1,000');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await within('Cost of a test').getByRole('alert').getByText('may be a thousand').waitFor();
@@ -222,8 +231,7 @@ test('what if: the library says which plan is cheapest when, and plans anew', as
   const table = page.getByRole('region', { name: 'Which plan is cheapest when' });
   await table.waitFor({ timeout: 60_000 });
   assert.deepEqual(await table.locator('tbody tr').first().locator('td').allTextContents(), [
-    '0',
-    '1',
+    '0 – 1',
     '12 tests, 25 changesdouble-change design',
   ]);
   await page.locator('.what-if .u-over').waitFor();

@@ -437,6 +437,7 @@ test('sheets: what is taken out, what results say, the CSV for the planner', asy
     lower_bound: { cost: 7, reason: 'r' },
     budget: null,
     cost_unit: null,
+    start: [],
     notes: [],
     candidates: [],
     places: [
@@ -448,8 +449,8 @@ test('sheets: what is taken out, what results say, the CSV for the planner', asy
   const job = { ...emptyJob(), parts: ['a', 'b', '=c'].map((name) => partOf(name)) };
   const outcome = outcomeOf({ plan }, job, [], []);
   assert.deepEqual(namesOf(outcome), ['1', '2']);
-  assert.deepEqual(step(outcome.tests, 0, ['b']), { out: [], in: ['a'] });
-  assert.deepEqual(step(outcome.tests, 1), { out: ['b'], in: ['=c'] });
+  assert.deepEqual(step({ ...outcome, start: ['b'] }, 0), { out: [], in: ['a'] });
+  assert.deepEqual(step(outcome, 1), { out: ['b'], in: ['=c'] });
   outcome.tests[0].result = 'pass';
   outcome.tests[0].notes = 'fine, so far';
   assert.equal(

@@ -41,7 +41,7 @@ test('a test added to the sheet of a model has its columns, and costs follow', a
   const { partWords, withNext } = await load('pages/plan/insertion.ts');
   const { emptyJob } = await load('pages/plan/job.ts');
   const job = { ...emptyJob(), source: 'model', testCost: 3, changeCost: 1 };
-  const plan = { ...size, ...rest, steps, lower_bound: { cost: 19, reason: 'r' } };
+  const plan = { ...size, ...rest, start: [], steps, lower_bound: { cost: 19, reason: 'r' } };
   const outcome = outcomeOf({ plan }, job, [], []);
   outcome.tests[0].result = 'fail';
   const added = withNext(outcome, next, job);
@@ -75,8 +75,8 @@ test('on a bench of its own costs, and where hours were planned', async () => {
     finish: null,
     lower_bound: { cost: 19, makespan: 9, makespan_reason: 'r', cost_reason: 'r' },
     sheets: [
-      { name: 'A', down: false, end: 10, steps: timed },
-      { name: 'B', down: false, end: 9, steps: steps.slice(2) },
+      { name: 'A', down: false, end: 10, start: [], hours: 8, steps: timed },
+      { name: 'B', down: false, end: 9, start: [], hours: null, steps: steps.slice(2) },
     ],
   };
   const outcome = outcomeOf({ benches: plan }, job, [], []);
@@ -94,4 +94,57 @@ test('on a bench of its own costs, and where hours were planned', async () => {
   );
   assert.deepEqual([added.benches[0].end, added.cost, added.together], [24, 24, 33]);
   assert.equal(added.notes.length, 1);
+});
+
+test('why not less, in lines', async () => {
+  const { linesOf } = await load('pages/plan/reason_lines.ts');
+  const numbers =
+    'at least 7 tests (the parts are in at least 27 set-ups in all, 4 in each), at least 15 ' +
+    'changes (one change at a time takes 12 blocks: SCCD(9,4)), and j changes of 4 bring at most ' +
+    'C(j,2) + j(4-j) new pairs: 7 tests with 16 changes cost least';
+  const lines = [
+    ['At least 7 tests', 'the parts are in at least 27 set-ups in all, 4 in each'],
+    ['At least 15 changes', 'one change at a time takes 12 blocks: SCCD(9,4)'],
+    [
+      'Together',
+      'j changes of 4 bring at most C(j,2) + j(4-j) new pairs: 7 tests with 16 changes cost least',
+    ],
+  ];
+  const said = (reason) => linesOf(reason, '155.00').map(({ said, why }) => [said, why]);
+  assert.deepEqual(said(numbers), lines);
+  assert.deepEqual(
+    said(
+      'of all lists, looked through from the cheapest on in 400006 states, none costs less; ' +
+        `without that, ${numbers}`,
+    ).at(-1),
+    ['Together at least 155.00', 'all cheaper lists were tried (400 006 states)'],
+  );
+  const each = 'each value that is set takes the place of another';
+  assert.deepEqual(said(`${each}: ${numbers}`), [['', each], ...lines]);
+  assert.deepEqual(said('nothing is left to test'), [['', 'nothing is left to test']]);
+});
+
+test('what is mounted first, as a job and a plan say it; a failed test that comes again', async () => {
+  const { outcomeOf, repeats, step } = await load('pages/plan/outcome.ts');
+  const { emptyBench, emptyJob } = await load('pages/plan/job.ts');
+  const benches = [{ ...emptyBench(), name: 'A', start: 'Mac, Edge' }];
+  const job = { ...emptyJob(), benches };
+  const sheet = { name: 'A', down: false, end: 10, hours: null, steps };
+  const plan = {
+    ...size,
+    ...rest,
+    objective: 'cost',
+    lower_bound: { cost: 19, makespan: 9, makespan_reason: 'r', cost_reason: 'r' },
+  };
+  const before = { ...plan, sheets: [{ ...sheet, start: ['Mac', 'Edge'] }] };
+  const first = outcomeOf({ benches: before }, job, [], places);
+  assert.deepEqual(step(first, 0), { out: [], in: ['en'] });
+  // A replanned sheet begins where the last test left it; the first of all began where the job says.
+  const done = [{ ...first.tests[0], result: 'fail' }];
+  const after = { ...plan, sheets: [{ ...sheet, start: steps[0].set_up }] };
+  const again = outcomeOf({ benches: after }, job, done, places);
+  assert.deepEqual(step(again, 0), { out: [], in: ['en'] });
+  assert.deepEqual(step(again, 1), { out: [], in: [] });
+  assert.equal(repeats(again, 1), 'repeats failed A, test 1');
+  assert.equal(repeats(again, 2), '');
 });

@@ -12,7 +12,7 @@ import { blockList, defects } from './verify/blocks';
 import { check, type Report } from './verify/check';
 import { citation } from './verify/citation';
 import { examples } from './verify/examples';
-import { excerpt, lineRange } from './verify/excerpt';
+import { excerpt, lineRange } from '../parts/excerpt';
 import { repairOffer } from './verify/repair';
 import { elementTable, facts, headline } from './verify/verdict';
 

@@ -8,8 +8,21 @@ export interface Actions {
   refresh(): void;
 }
 
+/** "Pump bench" as the name of a file. */
+export function fileOf(title: string): string {
+  return (
+    title
+      .normalize('NFC')
+      .replace(/[^\p{L}\p{N}.-]+/gu, '_')
+      .replace(/^[._]+|[._]+$/g, '')
+      .toLowerCase()
+      .slice(0, 60) || 'run_sheet'
+  );
+}
+
 /** `mayDiagnose`: whether the faults of this job can be told from results. */
 export function sheetActions(
+  title: string,
   outcome: Outcome,
   mayDiagnose: boolean,
   workbook: HTMLElement | null,
@@ -26,7 +39,7 @@ export function sheetActions(
     replan,
     diagnose,
     button('Print the sheet', () => window.print()),
-    button('Download CSV', () => save('run_sheet.csv', csv(outcome), 'text/csv')),
+    button('Download CSV', () => save(`${fileOf(title)}.csv`, csv(outcome), 'text/csv')),
     workbook,
   );
   const refresh = (): void => {

@@ -4,7 +4,7 @@ import { post, type ReadJob } from '../../lib/api';
 import type { Job as Request } from '../../../answers';
 import { jobOf } from './document';
 import { cells, emptyBench, type Bench, type Job } from './job';
-import { verdictOf, type Place, type Test, type Verdict } from './outcome';
+import { noted, verdictOf, type Place, type Test, type Verdict } from './outcome';
 
 export interface Taken {
   job: Job;
@@ -12,6 +12,8 @@ export interface Taken {
   done: { places: Place[]; tests: Test[] };
   /** What was made of it, a line each. */
   notes: string[];
+  /** It was taken as it is, and this is wrong with it. */
+  fault?: Error;
 }
 
 const most = 700_000; // The server takes 1 MB of JSON, and base64 is a third longer.
@@ -48,7 +50,7 @@ function taken(answer: ReadJob, job: Job): Taken {
     by: '',
     at: '',
   }));
-  return { job: jobOf(answer.request, job), done: { places, tests }, notes: answer.notes };
+  return { job: jobOf(answer.request, job), done: { places, tests }, notes: noted(answer.notes) };
 }
 
 /** Parts of what a spreadsheet copies; with or without heads. */
@@ -166,7 +168,15 @@ export async function readFile(
     notes: [`${file.name}: ${words}`],
   });
   if (isModel(file.name, text)) {
-    return read({ model: text });
+    try {
+      return taken(await post('plan/read', {}, { model: text }, signal), job);
+    } catch (fault) {
+      // A slip is mended in the text, so it must be there.
+      if (signal.aborted || !/^model:\d+:/.test((fault as Error).message)) {
+        throw signal.aborted ? fault : named(fault);
+      }
+      return { ...said('the model', jobOf({ model: text }, job)), fault: fault as Error };
+    }
   }
   const rows = cells(text);
   const head = (rows[0] ?? []).map((cell) => cell.toLowerCase());

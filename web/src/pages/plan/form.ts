@@ -6,6 +6,7 @@ import {
   decimal,
   emptyBench,
   emptyJob,
+  FieldFault,
   namesIn,
   partOf,
   type Job,
@@ -15,9 +16,11 @@ import {
   type Unit,
 } from './job';
 import { group as folded, type Group } from '../../parts/group';
+import { lead } from '../../parts/lead';
 import { benchTable } from './bench_table';
 import { partsGrid } from './parts';
 import { rowsTable } from './rows';
+import { reword } from './wording';
 
 const pairModes: readonly (readonly [PairMode, string])[] = [
   ['all', 'every two parts must meet'],
@@ -49,6 +52,8 @@ export interface Form {
   /** @throws Error with a line that can be shown. */
   read(): Job;
   set(job: Job): void;
+  /** Shows the choice whether what met only in failed tests counts as tested. */
+  trust(): void;
   /** Puts the element below the field of a key of the document; false if that is not to be seen. */
   show(key: string, element: HTMLElement): boolean;
 }
@@ -87,7 +92,6 @@ export function jobForm(
   let ownRoom = false;
   const atOnce = h('input', {
     type: 'number',
-    min: 2,
     placeholder: 'by slots',
     oninput: () => ((ownRoom = true), touched()),
   });
@@ -113,10 +117,10 @@ export function jobForm(
   );
   const pairs = area('Motor A, Cooler\nMotor B, Cooler');
   const pairsField = field('Pairs, two parts a line with a comma between', pairs);
-  const never = area('CX-6, PSU 800, 75 W more than it gives');
-  const mounted = line('Frame, Controller');
-  const start = line('Gear pump, Filter');
-  const first = area('Gear pump, Filter, Cooler\nVane pump, Filter, Cooler');
+  const never = area('');
+  const mounted = line('');
+  const start = line('');
+  const first = area('');
   const weights = area('Gear pump, Motor A, 10\nVane pump, Motor A, 5');
   const budget = cost();
   const trustFailed = h('input', { type: 'checkbox', onchange: touched });
@@ -238,8 +242,8 @@ export function jobForm(
         some(mounted.value, '') === '' ? '' : `always ${mounted.value.trim()}`,
         start.value.trim() === '' ? '' : `now ${start.value.trim()}`,
       ),
-    field('Stays mounted in every test', mounted),
-    field('Is on the bench before the first test', start, 'is not paid for in the first test'),
+    field('', mounted),
+    field('', start, 'is not paid for in the first test'),
   );
   const order = group(
     'budget',
@@ -404,6 +408,9 @@ export function jobForm(
     modelSection.hidden = next !== 'model';
     benchParts.hidden = next !== 'parts';
     benchValues.hidden = next !== 'model';
+    reword(next, { changeCost, unit, never, mounted, start, first });
+    mounting.querySelector('.group-name')!.textContent =
+      next === 'parts' ? 'What is mounted' : 'Fixed values';
     benches.element.classList.toggle('of-model', next === 'model');
     atOnceField.hidden = next !== 'parts';
     replacing.querySelector('.group-name')!.textContent =
@@ -416,7 +423,11 @@ export function jobForm(
 
   const element = h(
     'form',
-    { class: 'plan-form no-print', onsubmit: (event) => (event.preventDefault(), submitted()) },
+    {
+      class: 'plan-form no-print',
+      novalidate: true, // What is wrong is said where it is, in our words.
+      onsubmit: (event) => (event.preventDefault(), submitted()),
+    },
     slotNames,
     h(
       'div',
@@ -440,11 +451,7 @@ export function jobForm(
           { class: 'fields' },
           atOnceField,
           field('Cost of a test', testCost),
-          field(
-            'Cost of a change',
-            changeCost,
-            'for parts without a cost in the list; taking out is free',
-          ),
+          field('Cost of a change', changeCost, ' '),
           field('Costs are', unit),
           field('Title of the sheet', title),
           field('Time to search', seconds),
@@ -491,6 +498,9 @@ export function jobForm(
     element,
     go,
     read() {
+      if (atOnce.validity.badInput) {
+        throw new FieldFault('How many fit at once: write a whole number.', 'at_once');
+      }
       namesIn(mounted.value); // Throws for what cannot be a list.
       return {
         title: title.value.trim() || 'Run sheet',
@@ -560,6 +570,10 @@ export function jobForm(
       namedSlots([...new Set(job.parts.map(({ slot }) => slot))].filter((slot) => slot !== ''));
       setSource(job.source);
       Object.values(groups).forEach((each) => each.refresh());
+    },
+    trust() {
+      groups['budget']!.element.open = true;
+      lead(trustFailed, groups['budget']!.element, 'center');
     },
     show(key, element) {
       const control = controls[key];

@@ -1,9 +1,10 @@
 // What a plan comes to, in words.
-import { h } from '../../lib/dom';
+import { h, type Child } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 import { exact, moneyOf, type Job } from './job';
 import { clockOf } from './sheet';
-import type { Outcome } from './outcome';
+import { namesOf, repeated, testName, verdictOf, type Outcome } from './outcome';
+import { whyNotLess } from './reasons';
 
 export function gapInWords(cost: number, bound: number, money: (cost: number) => string): string {
   if (exact(cost) <= exact(bound)) {
@@ -36,14 +37,18 @@ function gap(outcome: Outcome, money: (cost: number) => string): string {
   // When the last test ends, and how much work there is on all benches, are two things.
   const unit = outcome.unit ?? (finish ? 'hours' : null);
   const end = finish
-    ? `on ${finish}, after ${money(cost)} ${unit} of its bench`
+    ? `on ${finish}`
     : unit
       ? `${money(cost)} ${unit} after the start`
       : `at ${money(cost)}, with costs as times`;
   const sooner = words
     .replace('No plan is cheaper', 'No plan is done earlier')
     .replace(/No plan costs less than (\S+),/, (_, least: string) =>
-      unit ? `No plan is done in less than ${least} ${unit},` : `No plan is done before ${least},`,
+      outcome.soonest
+        ? `No plan is done before ${outcome.soonest},`
+        : unit
+          ? `No plan is done in less than ${least} ${unit},`
+          : `No plan is done before ${least},`,
     )
     .replace('so this one is at most', 'so this one takes at most')
     .replace('above the least possible', 'longer than the least possible');
@@ -72,7 +77,40 @@ function changing(job: Job, cost: string): string {
   return `putting a part in costs ${byRow}${byPart}${cost}; taking out is free`;
 }
 
-export function headline(job: Job, outcome: Outcome): HTMLElement {
+/** Why a test is there that failed before. `trust` leads to the choice. */
+function again(job: Job, outcome: Outcome, trust: () => void): Child[] {
+  const { tests } = outcome;
+  const failed = tests.filter((test) => verdictOf(test) === 'fail').length;
+  if (outcome.doneBefore === 0 || failed === 0 || job.trustFailed) {
+    return [];
+  }
+  const names = namesOf(outcome);
+  const named = (i: number) => testName(tests[i]!, names[i]!);
+  const twice = tests.flatMap((_, i) => {
+    const first = repeated(tests, i);
+    return first < 0 ? [] : [`${named(first)} comes again as ${named(i)}`];
+  });
+  return [
+    h(
+      'p',
+      {},
+      `Pairs that met only in ${failed === 1 ? 'the failed test' : 'failed tests'} count as ` +
+        `untested${twice.length > 0 ? `, so ${twice.join(', and ')}` : ''}. `,
+      h(
+        'a',
+        {
+          href: '#trust-failed',
+          class: 'no-print',
+          onclick: (event) => (event.preventDefault(), trust()),
+        },
+        'Count them as tested',
+      ),
+    ),
+  ];
+}
+
+/** `trust` leads to the choice whether failed tests count. */
+export function headline(job: Job, outcome: Outcome, trust: () => void): HTMLElement {
   const rest = outcome.tests.length - outcome.doneBefore;
   const money = moneyOf([
     outcome.testCost,
@@ -108,14 +146,8 @@ export function headline(job: Job, outcome: Outcome): HTMLElement {
       clock && !outcome.benches ? `, ${clock(whole)} on the clock` : null,
       `. ${gap(outcome, money)}`,
     ),
-    outcome.reason
-      ? h(
-          'details',
-          { class: 'no-print' },
-          h('summary', {}, 'Why not less'),
-          h('p', {}, outcome.reason),
-        )
-      : null,
+    ...again(job, outcome, trust),
+    outcome.reason ? whyNotLess(outcome.reason, money(outcome.bound)) : null,
     outcome.notes.length > 0
       ? h(
           'details',

@@ -36,11 +36,11 @@ function valuesIn(outcome: Outcome, setUp: readonly string[]): Record<string, st
 }
 
 /** What a test costs after the one before it. Jobs with a table of costs have no diagnosis. */
-function costOf(job: Job, tests: readonly Test[], i: number): number {
-  const bench = job.benches.find(({ name }) => name === tests[i]!.bench);
+function costOf(job: Job, outcome: Outcome, i: number): number {
+  const bench = job.benches.find(({ name }) => name === outcome.tests[i]!.bench);
   const [own, factor] = [bench?.testCost.trim() || '', bench?.changeFactor.trim() || '1'];
   const parts = new Map(job.parts.map(({ name, cost }) => [name, cost]));
-  const changes = step(tests, i)
+  const changes = step(outcome, i)
     .in.map((name) => parts.get(name) ?? job.changeCost)
     .reduce((sum, cost) => sum + cost, 0);
   return exact(
@@ -73,7 +73,7 @@ function withMore(outcome: Outcome, bench: string | null, cost: number, changes:
 
 /** Where hours were planned, those after the new test are no longer right. */
 function withoutTimes(outcome: Outcome, bench: string | null): Outcome {
-  const late = (test: Test) => test.bench === bench && !isDone(test) && test.when !== undefined;
+  const late = (test: Test) => test.bench === bench && !isDone(test) && test.span !== undefined;
   if (!outcome.tests.some(late)) {
     return outcome;
   }
@@ -83,7 +83,7 @@ function withoutTimes(outcome: Outcome, bench: string | null): Outcome {
   return {
     ...outcome,
     tests: outcome.tests.map((test) => {
-      const { when, ends, ...rest } = test;
+      const { when, ends, span, ...rest } = test;
       return late(test) ? rest : test;
     }),
     notes: [...outcome.notes.filter((each) => each !== note), note],
@@ -117,9 +117,10 @@ export function withNext(
   let [cost, changes] = [next.cost, next.put_in.length];
   if (open >= 0) {
     const later = tests[at + 1]!;
-    const anew = costOf(job, tests, at + 1);
+    const more = { ...outcome, tests };
+    const anew = costOf(job, more, at + 1);
     cost = exact(cost + anew - later.cost);
-    changes += step(tests, at + 1).in.length - step(outcome.tests, at).in.length;
+    changes += step(more, at + 1).in.length - step(outcome, at).in.length;
     tests[at + 1] = { ...later, cost: anew };
   }
   return withoutTimes(withMore({ ...outcome, tests }, bench, cost, changes), bench);

@@ -37,16 +37,21 @@ export function introduction(use: (job: Job) => void): Introduction {
           'page plans the set-ups and their order at the least cost of tests and of parts put in.',
       ),
       h(
-        'ol',
-        { class: 'plan-comes' },
-        steps.map((words) => h('li', {}, words)),
-      ),
-      h(
         'p',
         { class: 'plan-try' },
         h('button', { type: 'button', onclick: () => use(first) }, 'Try it: a pump bench'),
         ' or ',
         others.flatMap((each, i) => [i > 0 ? ', ' : null, example(each)]),
+      ),
+      h(
+        'details',
+        { class: 'plan-comes' },
+        h('summary', {}, 'How it works, in three steps'),
+        h(
+          'ol',
+          {},
+          steps.map((words) => h('li', {}, words)),
+        ),
       ),
     ),
     h(

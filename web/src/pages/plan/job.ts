@@ -73,6 +73,16 @@ export interface Job {
   seconds: number;
 }
 
+/** What is wrong with the field of a key of the document. */
+export class FieldFault extends Error {
+  constructor(
+    message: string,
+    readonly key: string,
+  ) {
+    super(message);
+  }
+}
+
 export function emptyJob(): Job {
   return {
     title: 'Run sheet',
@@ -294,31 +304,33 @@ export function lineOf(fields: readonly string[]): string {
 export function checkJob(job: Job): void {
   if (job.source === 'model') {
     if (job.model.trim() === '') {
-      throw new Error(
+      throw new FieldFault(
         'There is no model: write its parameters, one a line, as in “Browser: Firefox, ' +
           'Chrome”, or take an example.',
+        'model',
       );
     }
     return;
   }
   const left = job.parts.filter((part) => !part.gone);
   if (left.length < 2) {
-    throw new Error(
+    throw new FieldFault(
       'There are fewer than two parts: type them, paste them from a spreadsheet, or take an ' +
         'example.',
+      'parts',
     );
   }
   const seen = new Set<string>();
   for (const [i, { name }] of job.parts.entries()) {
     if (name === '') {
-      throw new Error(`Part ${i + 1} has no name.`);
+      throw new FieldFault(`Part ${i + 1} has no name.`, 'parts');
     }
     if (seen.has(name)) {
-      throw new Error(`Part ${i + 1}: “${name}” is in the list twice.`);
+      throw new FieldFault(`Part ${i + 1}: “${name}” is in the list twice.`, 'parts');
     }
     seen.add(name);
   }
   if (job.atOnce !== null && (!Number.isInteger(job.atOnce) || job.atOnce < 2)) {
-    throw new Error('At once: at least two parts must fit, or no pair ever meets.');
+    throw new FieldFault('How many fit at once: a pair needs room for two.', 'at_once');
   }
 }

@@ -33,7 +33,7 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
     yText: about,
   });
   const drawn = h('div', { hidden: true }, chart.element);
-  const points: { at: number; best: number; bound: number }[] = [];
+  const points: { at: number; best: number | null; bound: number }[] = [];
   const line = h('div', { class: 'live-line note', tabindex: -1 }, cost, ' ', said);
   const rest = h(
     'div',
@@ -73,6 +73,9 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
       said.textContent =
         `is the best so far, with ${count(job.tests ?? 0, 'test')}; no plan ` +
         `costs less than ${about(job.bound)}${gap}.`;
+      if (points.length === 0) {
+        points.push({ at: 0, best: null, bound: job.bound }); // The axis begins there.
+      }
       points.push({ at: job.seconds, best: job.best, bound: job.bound });
       if (points.length > 1) {
         drawn.hidden = false;

@@ -2,7 +2,7 @@
 // phone beside the bench.
 import { fill, h } from '../../lib/dom';
 import { moneyOf } from './job';
-import { namesOf, step, testName, verdictOf, type Outcome } from './outcome';
+import { namesOf, repeats, step, testName, verdictOf, type Outcome } from './outcome';
 import { resultButtons } from './results';
 import { setUp } from './sheet';
 
@@ -11,21 +11,19 @@ export interface Next {
   refresh(): void;
 }
 
-export function nextTests(
-  outcome: Outcome,
-  mounted: readonly string[],
-  written: (test: number) => void,
-): Next {
+export function nextTests(outcome: Outcome, written: (test: number) => void): Next {
   const element = h('div', { class: 'next-tests no-print' });
   const names = namesOf(outcome);
   const money = moneyOf(outcome.tests.map(({ cost }) => cost));
   const named = (i: number) => testName(outcome.tests[i]!, names[i]!);
   function card(i: number): HTMLElement {
     const test = outcome.tests[i]!;
-    const { out, in: put } = step(outcome.tests, i, mounted);
+    const { out, in: put } = step(outcome, i);
     // On an empty bench what is put in is all that is then in.
     const all = out.length === 0 && put.length === test.parts.length;
     const of = outcome.tests.filter(({ bench }) => bench === test.bench).length;
+    const again = repeats(outcome, i);
+    const same = out.length === 0 && put.length === 0;
     const line = (label: string, kind: string, parts: string[]) =>
       h(
         'p',
@@ -48,13 +46,19 @@ export function nextTests(
             `${test.when ? `, begins ${test.when}` : ''}`,
         ),
       ),
-      ...(test.values || all
+      again !== '' && h('p', { class: 'repeats' }, `${again}: same parts, tested once more.`),
+      same && h('p', { class: 'same' }, 'Change nothing.'),
+      ...(test.values || all || same
         ? []
         : [out.length > 0 ? line('Take out', 'leave', out) : null, line('Put in', 'enter', put)]),
       h(
         'p',
         { class: 'set-up' },
-        h('span', { class: 'label' }, test.values ? 'Set' : all ? 'Put in' : 'Then in'),
+        h(
+          'span',
+          { class: 'label' },
+          test.values ? 'Set' : all ? 'Put in' : same ? 'Is in' : 'Then in',
+        ),
         ...setUp(test, outcome.places, new Set(put)),
       ),
       resultButtons(test, names[i]!, () => written(i), { pass: '✓ pass', fail: '✗ fail' }).element,

@@ -1,6 +1,6 @@
 // What was planned: tests with their places, costs and results, as the page keeps them.
 import type { Benches, Plan, Planned } from '../../lib/api';
-import { exact, type Job, type Unit } from './job';
+import { exact, namesIn, type Job, type Unit } from './job';
 
 /** A place of the bench: its number, and of which slot it is. */
 export interface Place {
@@ -21,6 +21,8 @@ export interface Test {
   when?: string;
   /** When it ends there. */
   ends?: string;
+  /** The same two as times since the start, in the unit of costs. */
+  span?: [begin: number, end: number];
   /** "pass", "fail", …, as it was written; '' is none. */
   result: string;
   notes: string;
@@ -37,7 +39,11 @@ export interface Alternative {
 }
 
 export interface Outcome {
-  benches: { name: string; down: boolean; end: number }[] | null;
+  /** `start`: what is mounted there before its first test; `hours`: how long its day is. */
+  benches:
+    { name: string; down: boolean; end: number; start: string[]; hours: number | null }[] | null;
+  /** What is mounted before the first test, on one bench. */
+  start: string[];
   places: Place[];
   tests: Test[];
   /**
@@ -46,6 +52,8 @@ export interface Outcome {
    */
   cost: number;
   bound: number;
+  /** When all can be done at the soonest, of benches with hours. */
+  soonest?: string | null;
   /** Of all benches together. */
   together: number;
   reason: string;
@@ -141,18 +149,40 @@ export function before(tests: readonly Test[], i: number): Test | null {
   return null;
 }
 
+/** What is mounted on a bench before its first test. */
+export function startOf({ benches, start }: Outcome, bench: string | null): readonly string[] {
+  return bench === null ? start : (benches?.find(({ name }) => name === bench)?.start ?? []);
+}
+
 /** What is taken out for a test and what is put in. */
-export function step(
-  tests: readonly Test[],
-  i: number,
-  mounted: readonly string[] = [],
-): { out: string[]; in: string[] } {
-  const earlier = before(tests, i)?.parts ?? mounted;
-  const now = tests[i]!.parts;
+export function step(outcome: Outcome, i: number): { out: string[]; in: string[] } {
+  const { parts: now, bench } = outcome.tests[i]!;
+  const earlier = before(outcome.tests, i)?.parts ?? startOf(outcome, bench);
   return {
     out: earlier.filter((name) => !now.includes(name)),
     in: now.filter((name) => !earlier.includes(name)),
   };
+}
+
+/** Of an open test: the failed one that had the same parts; -1 is none. */
+export function repeated(tests: readonly Test[], i: number): number {
+  const { parts } = tests[i]!;
+  return verdictOf(tests[i]!) !== ''
+    ? -1
+    : tests.findIndex(
+        (other) =>
+          verdictOf(other) === 'fail' &&
+          other.parts.length === parts.length &&
+          other.parts.every((name) => parts.includes(name)),
+      );
+}
+
+/** "repeats failed test 2"; '' for a test that does not. */
+export function repeats(outcome: Outcome, i: number): string {
+  const failed = repeated(outcome.tests, i);
+  return failed < 0
+    ? ''
+    : `repeats failed ${testName(outcome.tests[failed]!, namesOf(outcome)[failed]!)}`;
 }
 
 const untested = { result: '', notes: '', by: '', at: '' };
@@ -170,7 +200,30 @@ function clock(
   return `${date ?? `day ${day}`}, ${time}`;
 }
 
-const hoursOf = { seconds: 1 / 3600, minutes: 1 / 60, hours: 1 };
+/**
+ * What was mounted before the first test of a bench: where tests were done, the plan begins with
+ * what the last of them left there.
+ */
+function started(planned: string[], asked: string, done: readonly Test[]): string[] {
+  return done.length > 0 ? namesIn(asked) : planned;
+}
+
+/** Notes of the planner as a page says them. */
+export const noted = (notes: readonly string[]): string[] =>
+  notes.map((note) =>
+    note
+      .replace(
+        /: the question is that of its hidden sheet [\w-]+/,
+        ': the job was read from the workbook',
+      )
+      .replace(
+        /^done: (\d+ of \d+ tests?) (?:has a result and is|have a result and are) done$/,
+        (_, some: string) =>
+          `${some} ${/^1 /.test(some) ? 'is done and stays' : 'are done and stay'}.`,
+      ),
+  );
+
+export const hoursOf = { seconds: 1 / 3600, minutes: 1 / 60, hours: 1 };
 
 /** The same places first, as they were numbered; then new ones. */
 function placed(test: Test, from: readonly Place[], to: readonly Place[]): Test {
@@ -197,6 +250,7 @@ function ofPlan(plan: Plan, job: Job, done: readonly Test[], places: readonly Pl
   const { changes, cost } = plan;
   return {
     benches: null,
+    start: started(plan.start, job.start, done),
     places: plan.places,
     tests: [...done.map((test) => placed(test, places, plan.places)), ...tests],
     cost,
@@ -225,7 +279,7 @@ function ofPlan(plan: Plan, job: Job, done: readonly Test[], places: readonly Pl
           cost: sum,
         })),
     ],
-    notes: plan.notes,
+    notes: noted(plan.notes),
     testCost: job.testCost,
     changeCost: job.changeCost,
     doneBefore: done.length,
@@ -262,13 +316,25 @@ function ofBenches(
         ...(each.values ? { values: each.values } : {}),
         ...(when ? { when } : {}),
         ...(ends ? { ends } : {}),
+        span: [each.begin, each.end],
         ...untested,
       };
     }),
   ]);
   const cost = early ? plan.makespan : plan.cost;
   return {
-    benches: plan.sheets.map(({ name, down, end }) => ({ name, down, end })),
+    benches: plan.sheets.map(({ name, down, end, start, hours }) => ({
+      name,
+      hours,
+      down,
+      end,
+      start: started(
+        start,
+        job.benches.find((each) => each.name === name)?.start ?? '',
+        done.filter(({ bench }) => bench === name),
+      ),
+    })),
+    start: [],
     places: plan.places,
     tests,
     cost,
@@ -286,6 +352,13 @@ function ofBenches(
     finish: plan.finish
       ? (clock(plan.finish.day, plan.finish.hour, plan.finish.date) ?? null)
       : null,
+    soonest: plan.lower_bound.finish
+      ? (clock(
+          plan.lower_bound.finish.day,
+          plan.lower_bound.finish.hour,
+          plan.lower_bound.finish.date,
+        ) ?? null)
+      : null,
     alternatives: [
       { name: 'this plan', tests: plan.tests, changes: plan.changes, cost },
       ...plan.candidates.slice(1).map((each) => ({
@@ -295,7 +368,7 @@ function ofBenches(
         cost: early ? each.makespan : each.cost,
       })),
     ],
-    notes: plan.notes,
+    notes: noted(plan.notes),
     testCost: job.testCost,
     changeCost: job.changeCost,
     doneBefore: done.length,
@@ -342,7 +415,7 @@ export function csv(outcome: Outcome): string {
   const rows = tests.map((test, i) => {
     const sum = exact((sums.get(test.bench) ?? 0) + test.cost);
     sums.set(test.bench, sum);
-    const { out, in: put } = step(tests, i);
+    const { out, in: put } = step(outcome, i);
     const row = test.places ?? test.parts;
     return [
       ...(benches ? [safe(test.bench ?? '')] : []),
@@ -372,6 +445,7 @@ export function csv(outcome: Outcome): string {
 export function blank(job: Job): Outcome {
   return {
     benches: null,
+    start: namesIn(job.start),
     places: [],
     tests: [],
     cost: 0,

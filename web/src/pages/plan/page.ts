@@ -1,32 +1,31 @@
 // The page Plan: a job, its sheet, and what is written down on it.
-import { ApiError, post } from '../../lib/api';
+import { ApiError, post, type Diagnosis } from '../../lib/api';
 import { announce, fill, h } from '../../lib/dom';
 import { count } from '../../lib/words';
 import { problem, type View } from '../../shell/router';
 import { sheetActions } from './actions';
 import { follow } from './ask';
-import { diagnosisPanel } from './diagnosis';
+import { Diagnosing } from './diagnosing';
 import { forDiagnosis, forWhatIf, inWords, keyIn, requestOf, withDone } from './document';
 import { readFile, readParts } from './files';
 import { acceptFiles } from './drop';
 import { jobForm } from './form';
 import { headline } from './headline';
 import { JobBox } from './job_box';
-import { emptyJob, exact, lineOf, namesIn, type Job, type Part } from './job';
-import { partWords, withNext } from './insertion';
+import { emptyJob, exact, FieldFault, lineOf, type Job, type Part } from './job';
+import { withNext } from './insertion';
 import { introduction } from './introduction';
-import { keptHere, keptOnServer } from './keeping';
+import { keptHere, keptOnServer, keptWords } from './keeping';
 import { keptList } from './kept';
 import { livePanel } from './live';
+import { modelExcerpt, modelWords } from './model_faults';
 import { nextTests } from './next';
 import {
   blank,
   csv,
   isDone,
-  namesOf,
   onBenches,
   outcomeOf,
-  testName,
   verdictOf,
   type Outcome,
   type Place,
@@ -34,6 +33,7 @@ import {
   type Test,
 } from './outcome';
 import { keepResult, keepRun, openRun, ownName, watchRun, withResults, type Kept } from './run';
+import { printedRules } from './printed';
 import { runSheet } from './sheet';
 import { keep as keepState, newId } from './store';
 import { compared, whatIf, whyNoWhatIf } from './what_if';
@@ -63,7 +63,7 @@ export class PlanPage {
       'tests if some are done.',
   );
   private readonly form = jobForm(
-    () => (this.stale.hidden = this.state.outcome === null),
+    () => this.changed(),
     () => this.planAgain(),
     (text) => this.pasted(text),
     () => this.pick.click(),
@@ -81,6 +81,22 @@ export class PlanPage {
     () => this.formOr(this.state.job),
     this.form.go,
   );
+
+  /** What a fault says may be mended now. */
+  private faulty = false;
+  /** What was said of a file that was read. */
+  private told: readonly string[] = [];
+  private readonly diagnosing = new Diagnosing({
+    ask: () => this.diagnose(),
+    add: (next) => {
+      this.state.outcome = withNext(this.state.outcome!, next, this.form.read());
+      this.show();
+      void this.keepSheet();
+      this.result.querySelector('.next-tests')?.scrollIntoView({ block: 'nearest' });
+    },
+    forbid: (faults) => this.forbid(faults),
+    fail: (fault) => this.say(fault),
+  });
 
   constructor(
     private readonly view: View,
@@ -157,24 +173,37 @@ export class PlanPage {
     }
   }
 
+  private changed(): void {
+    this.stale.hidden = this.state.outcome === null;
+    if (this.faulty) {
+      this.clear();
+    }
+  }
+
   say(fault: unknown): void {
     if (this.view.signal.aborted) {
       return;
     }
-    const key = fault instanceof Error ? keyIn(fault.message) : null;
+    const message = fault instanceof Error ? fault.message : '';
+    const key = fault instanceof FieldFault ? fault.key : keyIn(message);
     this.clear();
+    this.faulty = true;
     const placed = key !== null && this.form.show(key, this.fault);
     if (placed || !this.state.outcome) {
       this.box.open();
     }
-    const said =
-      fault instanceof ApiError ? new ApiError(inWords(fault.message), fault.status) : fault;
+    const { model } = this.formOr(this.state.job);
+    const words = modelWords(inWords(message), model);
+    const said = fault instanceof ApiError ? new ApiError(words, fault.status) : fault;
     fill(this.fault, problem(said));
     this.fault.scrollIntoView({ block: 'nearest' });
+    const shown = this.fault.firstChild;
+    void modelExcerpt(message, model).then((lines) => lines && shown?.after(lines));
   }
 
   /** What comes next is said below the job. */
   private clear(): void {
+    this.faulty = false;
     this.news.after(this.fault);
     fill(this.fault);
   }
@@ -219,8 +248,16 @@ export class PlanPage {
   }
 
   private tell(notes: readonly string[]): void {
+    this.told = notes;
     const list = h('ul', {}, ...notes.map((note) => h('li', {}, note)));
     fill(this.news, notes.length > 0 && h('div', { class: 'note', role: 'status' }, list));
+  }
+
+  /** The notes of the plan say some of it again. */
+  private tellOnce(): void {
+    const bare = (note: string) => note.replace(/^[^\s:]+: /, '');
+    const again = new Set(this.state.outcome!.notes.map(bare));
+    this.tell(this.told.filter((note) => !again.has(bare(note))));
   }
 
   private formOr(other: Job): Job {
@@ -234,7 +271,7 @@ export class PlanPage {
   private async take(file: File): Promise<void> {
     this.pick.value = '';
     try {
-      const { job, done, notes } = await readFile(
+      const { job, done, notes, fault } = await readFile(
         file,
         this.formOr(emptyJob()), // What cannot be read is replaced by the file.
         () => requestOf(this.form.read()),
@@ -245,7 +282,9 @@ export class PlanPage {
       this.form.set(job);
       this.tell(notes.map((note) => note.replace(/^(parts|done)(?=[:\s])/, file.name)));
       this.stale.hidden = this.state.outcome === null;
-      if (done.tests.length > 0) {
+      if (fault) {
+        this.say(fault);
+      } else if (done.tests.length > 0) {
         await this.plan(onBenches(done.tests, this.state.outcome), done.places);
       } else {
         announce(`${file.name} was read`);
@@ -282,6 +321,7 @@ export class PlanPage {
     this.view.signal.addEventListener('abort', stop, { once: true });
     this.clear();
     this.form.go.disabled = true;
+    this.result.classList.add('old');
     try {
       const job = this.form.read();
       const request = this.asked(job, tests, places);
@@ -307,6 +347,7 @@ export class PlanPage {
       fill(this.fault, found.message ? h('p', { class: 'note' }, found.message) : null);
       this.stale.hidden = true;
       this.show();
+      this.tellOnce();
       if (!atWork) {
         this.box.leadTo(this.result.querySelector('h2')!, this.result, 'start');
       }
@@ -321,6 +362,7 @@ export class PlanPage {
     } finally {
       this.view.signal.removeEventListener('abort', stop);
       if (this.planning === mine) {
+        this.result.classList.remove('old');
         this.form.go.disabled = false;
         mine.abort();
         this.box.takeBack();
@@ -346,38 +388,39 @@ export class PlanPage {
     const drawing = (this.drawing = new AbortController());
     this.view.signal.addEventListener('abort', () => drawing.abort(), { once: true });
     this.box.fold();
-    const mounted = outcome.benches ? [] : namesIn(state.job.start);
     const written = (i: number) => void this.written(i);
-    const sheet = runSheet(outcome, mounted, written, drawing.signal);
-    const next = nextTests(outcome, mounted, written);
+    const sheet = runSheet(state.job.title, outcome, written, drawing.signal);
+    const next = nextTests(outcome, written);
     const actions = sheetActions(
+      state.job.title,
       outcome,
       state.job.changeCosts === '',
-      workbookLink(outcome, drawing.signal),
+      workbookLink(state.job.title, outcome, drawing.signal),
       () => void this.plan(outcome.tests, outcome.places),
-      () => void this.diagnose(),
+      () => void this.diagnosing.ask(outcome),
     );
-    const diagnosis = h('div', { class: 'diagnosis-place' });
-    this.diagnosisPlace = diagnosis;
+    this.diagnosing.show(outcome);
     this.refreshSheet = () => {
       sheet.refresh();
       next.refresh();
       actions.refresh();
+      this.diagnosing.refresh(outcome);
     };
     this.refreshSheet();
     const whyNot = whyNoWhatIf(state.job, outcome);
     fill(
       this.result,
-      headline(state.job, outcome),
+      headline(state.job, outcome, () => (this.box.open(), this.form.trust())),
       this.stale,
       next.element,
       actions.element,
-      diagnosis,
+      this.diagnosing.element,
       sheet.element,
+      printedRules(state.job, outcome.notes),
       this.keeping,
       compared(outcome),
       whyNot !== ''
-        ? h('p', { class: 'hint no-print' }, whyNot)
+        ? outcome.benches === null && h('p', { class: 'hint no-print' }, whyNot)
         : whatIf(
             state.job,
             outcome,
@@ -395,7 +438,6 @@ export class PlanPage {
           ),
     );
   }
-  private diagnosisPlace = h('div', {});
 
   /** The parts' own costs keep their proportion to the cost for all. */
   private atCosts(testCost: number, changeCost: number, times: number): void {
@@ -409,56 +451,24 @@ export class PlanPage {
     void this.plan(outcome!.tests.filter(isDone), outcome!.places);
   }
 
-  private async diagnose(): Promise<void> {
-    const { outcome } = this.state;
-    try {
-      const job = this.form.read();
-      fill(
-        this.diagnosisPlace,
-        h('p', { class: 'hint', role: 'status' }, 'Weighing the results …'),
-      );
-      const { diagnosis } = await post(
-        'plan',
-        {},
-        forDiagnosis(this.asked(job, outcome!.tests, outcome!.places)),
-        this.view.signal,
-      );
-      fill(
-        this.diagnosisPlace,
-        diagnosisPanel(
-          diagnosis!,
-          outcome!.tests.flatMap((test, i) =>
-            verdictOf(test) === 'fail'
-              ? [{ name: testName(test, namesOf(outcome!)[i]!), parts: test.parts }]
-              : [],
-          ),
-          partWords(outcome!),
-          () => {
-            this.state.outcome = withNext(outcome!, diagnosis!.next!, job);
-            this.show();
-            void this.keepSheet();
-            this.result.querySelector('.next-tests')?.scrollIntoView({ block: 'nearest' });
-          },
-          (faults) => {
-            const now = this.form.read();
-            this.form.set({
-              ...now,
-              never: [
-                now.never.trim(),
-                ...faults.map((fault) => lineOf([...fault, 'failed together'])),
-              ]
-                .filter(Boolean)
-                .join('\n'),
-            });
-            void this.plan(outcome!.tests, outcome!.places);
-          },
-        ),
-      );
-      this.diagnosisPlace.scrollIntoView({ block: 'nearest' });
-    } catch (fault) {
-      fill(this.diagnosisPlace);
-      this.say(fault);
-    }
+  private async diagnose(): Promise<Diagnosis> {
+    const { tests, places } = this.state.outcome!;
+    const { diagnosis } = await post(
+      'plan',
+      {},
+      forDiagnosis(this.asked(this.form.read(), tests, places)),
+      this.view.signal,
+    );
+    return diagnosis!;
+  }
+
+  private forbid(faults: string[][]): void {
+    const { tests, places } = this.state.outcome!;
+    const now = this.form.read();
+    const rows = faults.map((fault) => lineOf([...fault, 'failed together']));
+    const never = [now.never.trim(), ...rows].filter(Boolean).join('\n');
+    this.form.set({ ...now, never });
+    void this.plan(tests, places);
   }
 
   /** A result was written down. */
@@ -562,20 +572,7 @@ export class PlanPage {
       this.view.go(this.run ? { run: this.run.id, s: null, id: null } : { s, id, run: null }, {
         quiet: true,
       });
-      // A model has no list of parts.
-      const gone =
-        this.state.job.source === 'model'
-          ? ''
-          : 'A part broke? Tick “gone” in the list, then replan the remaining tests. ';
-      this.sayKept(
-        this.run
-          ? ''
-          : whole
-            ? `${gone}The link of this page holds the whole job with its sheet and what is ` +
-              'done; this browser keeps it, too.'
-            : 'This job is too long for a link: it is kept in this browser, and the link opens ' +
-              'it only here. Download it as CSV to pass it on.',
-      );
+      this.sayKept(this.run ? '' : keptWords(this.state.job, whole));
     } catch {
       this.sayKept(
         this.run

@@ -8,6 +8,9 @@ export interface Column<T> {
   label: string;
   hint?: string;
   kind?: 'number' | 'wide' | 'check';
+  placeholder?: string;
+  /** Of cards: shown once more is asked for, or something is in it. */
+  rare?: boolean;
 }
 
 export interface Rows<T> {
@@ -31,11 +34,29 @@ export function rowsTable<T extends object>(
       input.type === 'checkbox' ? !input.checked : input.value.trim() === '',
     );
 
+  const rareKeys = columns.flatMap(({ key, rare }) => (rare ? [key] : []));
+  const usual = empty();
+
   function makeRow(data: T): HTMLTableRowElement {
+    const whole = rareKeys.some((key) => data[key] !== usual[key]);
+    const opener = h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain small',
+        'aria-expanded': whole,
+        onclick: () => {
+          const opened = row.classList.toggle('whole-card');
+          opener.setAttribute('aria-expanded', String(opened));
+          opener.textContent = opened ? 'Less' : 'More';
+        },
+      },
+      whole ? 'Less' : 'More',
+    );
     const row: HTMLTableRowElement = h(
       'tr',
-      {},
-      columns.map(({ key, kind, title, hint }) => {
+      { class: whole ? 'whole-card' : null },
+      columns.map(({ key, kind, title, hint, placeholder, rare }) => {
         const value = data[key];
         const input =
           kind === 'check'
@@ -44,13 +65,14 @@ export function rowsTable<T extends object>(
                 type: 'text',
                 class: kind ?? null,
                 value: String(value),
+                placeholder: placeholder ?? null,
                 autocomplete: 'off',
                 spellcheck: 'false',
               });
         return h(
           'td',
           {
-            class: kind === 'check' ? 'centre' : null,
+            class: [kind === 'check' && 'centre', rare && 'rare'].filter(Boolean).join(' ') || null,
             'data-label': title,
             title: hint ?? null,
           },
@@ -60,6 +82,8 @@ export function rowsTable<T extends object>(
       h(
         'td',
         {},
+        rareKeys.length > 0 && opener,
+        rareKeys.length > 0 && ' ',
         h(
           'button',
           {

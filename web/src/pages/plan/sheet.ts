@@ -6,6 +6,7 @@ import {
   before,
   isDone,
   namesOf,
+  repeats,
   step,
   verdictOf,
   type Outcome,
@@ -13,6 +14,7 @@ import {
   type Test,
 } from './outcome';
 import { resultButtons } from './results';
+import { idleOf, timeStrip } from './strip';
 
 const piece = 200;
 
@@ -155,8 +157,8 @@ function inSlot(
 
 /** `written` is called with the number of a test whose result or notes have changed. */
 export function runSheet(
+  title: string,
   outcome: Outcome,
-  mounted: readonly string[],
   written: (test: number) => void,
   signal: AbortSignal,
 ): Sheet {
@@ -175,6 +177,7 @@ export function runSheet(
     return sum;
   });
   const whole = exact(tests.reduce((sum, { cost }) => sum + cost, 0));
+  const spent = outcome.unit ?? (tests.some(({ when }) => when !== undefined) ? 'hours' : 'cost');
   const hasTimes = tests.some(({ when }) => when !== undefined);
   const parameters = Object.keys(tests.find(({ values }) => values !== undefined)?.values ?? {});
   const ofModel = parameters.length > 0;
@@ -208,7 +211,7 @@ export function runSheet(
 
   function makeRow(i: number): HTMLTableRowElement {
     const test = tests[i]!;
-    const { out, in: put } = step(tests, i, mounted);
+    const { out, in: put } = step(outcome, i);
     const buttons = resultButtons(test, names[i]!, () => written(i));
     const notes = h('input', {
       type: 'text',
@@ -223,7 +226,13 @@ export function runSheet(
         notes.value = test.notes;
       }
     });
-    const list = (parts: string[]) => (parts.length > 0 ? named(parts) : '–');
+    const again = h('small', { class: 'repeats' });
+    refreshers.push(() => {
+      again.textContent = repeats(outcome, i);
+      again.hidden = again.textContent === '';
+    });
+    const list = (parts: string[], none: string) => (parts.length > 0 ? named(parts) : none);
+    const same = out.length === 0 && put.length === 0;
     rows[i] = h(
       'tr',
       {},
@@ -244,8 +253,12 @@ export function runSheet(
       ...(test.values || slots
         ? []
         : [
-            h('td', { class: 'leave', 'data-label': 'take out' }, list(out)),
-            h('td', { class: 'enter', 'data-label': 'put in' }, list(put)),
+            h('td', { class: 'leave', 'data-label': 'take out' }, list(out, '–')),
+            h(
+              'td',
+              { class: 'enter', 'data-label': 'put in' },
+              list(put, same ? 'change nothing' : '–'),
+            ),
           ]),
       ...(slots ?? []).map((slot) =>
         h(
@@ -277,13 +290,13 @@ export function runSheet(
                 setUp(test, places, new Set(put)),
               ),
             ]),
-      h('td', { class: 'number of-cost', 'data-label': 'cost' }, money(test.cost)),
+      h('td', { class: 'number of-cost', 'data-label': spent }, money(test.cost)),
       h(
         'td',
         { class: 'number of-sum', 'data-label': hasTimes ? 'ends' : 'so far' },
         test.ends ?? (clock ? clock(sumAt[i]!) : money(sumAt[i]!)),
       ),
-      h('td', { class: 'of-notes', 'data-label': 'notes' }, notes),
+      h('td', { class: 'of-notes', 'data-label': 'notes' }, again, notes),
     );
     return rows[i]!;
   }
@@ -347,7 +360,7 @@ export function runSheet(
               : slots
                 ? slots.map((slot) => h('th', {}, slot ?? 'other'))
                 : [h('th', {}, 'take out'), h('th', {}, 'put in'), h('th', {}, 'what is in')]),
-            h('th', { class: 'number' }, 'cost'),
+            h('th', { class: 'number' }, spent),
             h('th', { class: 'number' }, hasTimes ? 'ends' : clock ? 'clock' : 'so far'),
             h('th', { class: 'of-notes' }, 'notes'),
           ),
@@ -369,10 +382,14 @@ export function runSheet(
               ? `, done ${money(end)}${unit} after the start`
               : `, done at ${money(end)}`
             : '';
+        const idle = idleOf(outcome, name);
+        const waits = idle > 0 ? `, ${money(idle)} idle` : '';
         const work = unit ? `${money(sum)}${unit} of work` : `cost ${money(sum)}`;
         return h(
           'section',
           { class: 'bench-sheet' },
+          h('p', { class: 'only-print bench-title' }, `${title}: ${name}`),
+          h('p', { class: 'only-print' }, 'Run by ', h('span', {}), ' on ', h('span', {})),
           h(
             'h3',
             {},
@@ -380,7 +397,7 @@ export function runSheet(
             h(
               'span',
               { class: 'hint' },
-              down ? ' out of order' : ` ${count(indices.length, 'test')}, ${work}${done}`,
+              down ? ' out of order' : ` ${count(indices.length, 'test')}, ${work}${waits}${done}`,
             ),
           ),
           indices.length > 0
@@ -394,13 +411,21 @@ export function runSheet(
           'Run sheet',
         ),
       ];
+  const strip = timeStrip(outcome, (i) => {
+    rows[i]?.scrollIntoView({ block: 'center' });
+    rows[i]?.querySelector('button')?.focus({ preventScroll: true });
+  });
+  refreshers.push(() => strip?.refresh());
   refresh();
   return {
     element: h(
       'div',
       { class: 'sheets' },
       h('div', { class: 'row no-print' }, progress, said),
-      h('p', { class: 'only-print' }, 'Run by ', h('span', {}), ' on ', h('span', {})),
+      strip?.element,
+      benches
+        ? null
+        : h('p', { class: 'only-print' }, 'Run by ', h('span', {}), ' on ', h('span', {})),
       lists,
     ),
     refresh,

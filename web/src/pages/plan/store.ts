@@ -1,7 +1,7 @@
 // Where a job is kept: all of it in the link as long as it is short, and in this browser in any
 // case.
 import { longestWord, pack, unpack } from '../../lib/share';
-import { emptyBench, emptyJob, type Bench, type Job, type Part, type Slot } from './job';
+import { emptyBench, emptyJob, namesIn, type Bench, type Job, type Part, type Slot } from './job';
 import { isDone, type Outcome, type State, type Test } from './outcome';
 
 const prefix = 'changeover-job-';
@@ -59,6 +59,7 @@ export function packed({ id, job, outcome }: State): Small {
     test.when ?? null,
     test.values ?? null,
     test.places ? test.parts.map(number) : null,
+    test.span ? [...test.span, test.ends ?? null] : null,
   ]);
   return { id, job: small, outcome: { ...outcome, names, tests } };
 }
@@ -127,7 +128,7 @@ function testIn(row: unknown, names: readonly string[]): Test | null {
   if (!isList(row)) {
     return null;
   }
-  const [set, placed, cost, bench, result, notes, by, at, when, values, order] = row;
+  const [set, placed, cost, bench, result, notes, by, at, when, values, order, span] = row;
   const numbers = (list: unknown): list is number[] =>
     isList(list) && list.every((i) => isNumber(i) && i >= -1 && i < names.length);
   const good =
@@ -146,6 +147,8 @@ function testIn(row: unknown, names: readonly string[]): Test | null {
     places: placed ? set.map((i) => (i < 0 ? null : names[i]!)) : null,
     cost,
     ...(isText(when) ? { when } : {}),
+    ...(isList(span) && isText(span[2]) ? { ends: span[2] } : {}),
+    ...(isList(span) && isNumber(span[0]) && isNumber(span[1]) ? { span: [span[0], span[1]] } : {}),
     ...(values === null ? {} : { values: values as Record<string, string> }),
     result: result as string,
     notes: notes as string,
@@ -154,7 +157,19 @@ function testIn(row: unknown, names: readonly string[]): Test | null {
   };
 }
 
-function outcomeIn(given: Record<string, unknown>): Outcome | null {
+/** Sheets of before say nothing of what was mounted at first; the job does. */
+function startIn(given: unknown, asked: string): string[] | null {
+  if (given !== undefined) {
+    return isList(given) && given.every(isText) ? given : null;
+  }
+  try {
+    return namesIn(asked);
+  } catch {
+    return [];
+  }
+}
+
+function outcomeIn(given: Record<string, unknown>, job: Job): Outcome | null {
   const { names, tests, benches, places, alternatives, met, notes, unit, finish, budget, ...rest } =
     given;
   if (
@@ -169,9 +184,11 @@ function outcomeIn(given: Record<string, unknown>): Outcome | null {
     return null;
   }
   const read = tests.map((row) => testIn(row, names));
+  const start = startIn(rest['start'], benches === null ? job.start : '');
   const numbers = ['cost', 'bound', 'together', 'changes', 'testCost', 'changeCost', 'doneBefore'];
   const good =
     !read.includes(null) &&
+    start !== null &&
     numbers.every((key) => isNumber(rest[key])) &&
     isText(rest['reason']) &&
     notes.every(isText) &&
@@ -196,11 +213,24 @@ function outcomeIn(given: Record<string, unknown>): Outcome | null {
     ) &&
     (benches === null ||
       (isList(benches) &&
-        benches.every((each) => isObject(each) && isText(each['name']) && isNumber(each['end']))));
+        benches.every(
+          (each) =>
+            isObject(each) &&
+            isText(each['name']) &&
+            isNumber(each['end']) &&
+            startIn(each['start'], '') !== null,
+        )));
+  const asked = (name: unknown) => job.benches.find((each) => each.name === name)?.start ?? '';
   return good && (rest['plan'] === undefined || rest['plan'] === null || isNumber(rest['plan']))
     ? ({
         ...rest,
-        benches,
+        start,
+        benches:
+          (benches as Outcome['benches'])?.map((each) => ({
+            ...each,
+            start: startIn(each.start, asked(each.name)),
+            hours: isNumber(each.hours) ? each.hours : null,
+          })) ?? null,
         places,
         alternatives,
         met,
@@ -223,7 +253,7 @@ export function unpacked(value: unknown): State | null {
     return null;
   }
   const read = jobIn(job);
-  const planned = isObject(outcome) ? outcomeIn(outcome) : null;
+  const planned = read && isObject(outcome) ? outcomeIn(outcome, read) : null;
   return read && (outcome === null || planned) ? { id, job: read, outcome: planned } : null;
 }
 

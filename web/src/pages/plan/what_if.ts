@@ -164,7 +164,8 @@ export function whatIf(
         ? `${mark}Two plans are cheapest here: one with ${withSize(other)}, and one with ` +
           `${withSize(best)}.`
         : best === mine
-          ? `${mark}The plan with ${withSize(best)} is cheapest here.`
+          ? `${mark}The plan with ${withSize(best)} is cheapest ` +
+            `${found.ranges.length === 1 ? 'whatever changes cost' : 'here'}.`
           : `The plan with ${withSize(best)} would be cheaper. Replan to get it, or a better one.`;
     redraw();
   }
@@ -196,6 +197,17 @@ export function whatIf(
   }
 
   function show(answer: WhatIf): void {
+    const notes =
+      answer.notes.length > 0 &&
+      h(
+        'ul',
+        { class: 'hint' },
+        answer.notes.map((note) => h('li', {}, note)),
+      );
+    if (answer.ranges.length === 1) {
+      fill(place, notes); // It is said above that the same plan is cheapest everywhere.
+      return;
+    }
     const unit = unitOf();
     const plans = answer.ranges.map(({ plan }) => plan);
     const last = Math.max(2 * unit, ...answer.ranges.map(({ from }) => 1.4 * (from ?? 0)));
@@ -229,8 +241,9 @@ export function whatIf(
       values: costs[i]!.map((cost, at) => cost - least[at]!),
     }));
     const body = h('tbody');
-    const price = (ratio: number | null, none: string) =>
-      ratio === null ? none : about(/factor/.test(answer.by) ? ratio : ratio * testCost);
+    const price = (ratio: number) => about(/factor/.test(answer.by) ? ratio : ratio * testCost);
+    const span = ({ from, to }: WhatIf['ranges'][number]) =>
+      to === null ? `${price(from ?? 0)} and more` : `${price(from ?? 0)} – ${price(to)}`;
     redraw = () => {
       const now = rangeAt((factor() ?? 1) * unit);
       fill(
@@ -239,8 +252,7 @@ export function whatIf(
           h(
             'tr',
             { class: range === now ? 'own' : null },
-            h('td', { class: 'number' }, price(range.from, '0')),
-            h('td', { class: 'number' }, price(range.to, '–')),
+            h('td', { class: 'number' }, span(range)),
             h(
               'td',
               {},
@@ -270,24 +282,15 @@ export function whatIf(
               h(
                 'th',
                 { class: 'number' },
-                /factor/.test(answer.by)
-                  ? 'all change costs times at least'
-                  : 'a change costs at least',
+                /factor/.test(answer.by) ? 'change costs ×' : 'cost of a change',
               ),
-              h('th', { class: 'number' }, 'and less than'),
               h('th', {}, 'cheapest plan'),
             ),
           ),
           body,
         ),
       ),
-      answer.notes.length > 0
-        ? h(
-            'ul',
-            { class: 'hint' },
-            answer.notes.map((note) => h('li', {}, note)),
-          )
-        : null,
+      notes,
     );
     chart.set(xs, lines);
   }

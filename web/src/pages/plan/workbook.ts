@@ -2,6 +2,7 @@
 // remembers that plan.
 import { address, get, type Benches, type Plan, type Planned } from '../../lib/api';
 import { h } from '../../lib/dom';
+import { fileOf } from './actions';
 import { isDone, type Outcome } from './outcome';
 
 const setUpsOf = (steps: readonly { set_up: string[] }[]): string[][] =>
@@ -29,7 +30,11 @@ function shown({ tests, benches, doneBefore }: Outcome): string {
  * A link to the workbook, hidden until the server says that it has this plan; where the sheet is
  * another one since, why there is none.
  */
-export function workbookLink(outcome: Outcome, signal: AbortSignal): HTMLElement | null {
+export function workbookLink(
+  title: string,
+  outcome: Outcome,
+  signal: AbortSignal,
+): HTMLElement | null {
   const { plan: id } = outcome;
   if (id === undefined || id === null) {
     return null;
@@ -40,7 +45,7 @@ export function workbookLink(outcome: Outcome, signal: AbortSignal): HTMLElement
       class: 'button plain',
       hidden: true,
       href: address('plan/file', { id, format: 'xlsx' }),
-      download: 'run_sheet.xlsx',
+      download: `${fileOf(title)}.xlsx`,
     },
     'Workbook',
   );

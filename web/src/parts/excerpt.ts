@@ -1,6 +1,6 @@
 // Where in a text something is wrong: the lines around it, with the place marked.
-import { h } from '../../lib/dom';
-import { number } from '../../lib/words';
+import { h } from '../lib/dom';
+import { number } from '../lib/words';
 
 const around = 2;
 const widest = 120;
