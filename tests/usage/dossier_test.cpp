@@ -24,8 +24,22 @@ TEST(Dossier, SaysWhatAPaperNeeds) {
         "last."},
        {"$changeover dossier 20 5", 0,
         "Here i<sub>x</sub> is the number of blocks that introduce x"},
-       {"$changeover dossier 13 13 --linear", 0, "are together in some block. Quality"},
-       {"$changeover dossier 40 6 --circular", 0, "have their proofs there"},
+       {"$changeover dossier 20 5 --change 1", 0, "exactly 1 element that is not in the block"},
+       {"$changeover dossier 13 13 --linear", 0, "are together in some block.\n\n| | |\n"},
+       {"$changeover dossier 40 6 --circular", 0, "| quality | 1 block over the lower bound |"},
+       {"$changeover dossier 40 6 --circular", 0, "| excess | 12 |"},
+       {"$changeover dossier 61 4", 0, "| order of its group | 61 |"},
+       {"$changeover dossier 40 6 --circular", 0, "\n> **Theorem 15**"},
+       {"$changeover dossier 40 6 --circular", 0, "Constructed as above"},
+       {"$changeover dossier 40 6 --format latex", 0, "\\cite[{Theorem 15}]{ChangeoverTheorems}"},
+       {"$changeover dossier 40 6 --format latex", 0, "@misc{ChangeoverTheorems,"},
+       {"$changeover dossier 40 6 --format latex", 0, "by $2x$ and $2x + 1$"},
+       {"$changeover dossier 40 6 --format latex", 0, "\\texttt{changeover search 28 6"},
+       {"$changeover dossier 40 6 --format html", 0, "⌈(40\u00a0−\u00a06)\u00a0/\u00a02⌉"},
+       {"$changeover dossier 40 6 --format html", 0, "{0,3,7,12,15,21}"},
+       {"$changeover dossier 40 6 --format html", 0, "<a href=\"#theorem-15\">Theorem 15"},
+       {"$changeover dossier 40 6 --format html", 0, "<h3>Theorem 15: "},
+       {"$changeover dossier 40 6 --format html", 0, "<b>25</b> <b>26</b>"},
        {"$changeover dossier 20 5 | grep -c elementary", 1, "0"},
        {"$changeover dossier 8.5.2.circular", 0, "grep -v \"^#\" design.txt | sha256sum"},
        {"$changeover dossier 26.4.2.circular.65 --format html", 0, "<figcaption>"},
@@ -73,6 +87,25 @@ TEST(Dossier, ItsCommandsMakeItsDesign) {
                 "grep -F -f made d.md",
             folder.path());
     EXPECT_EQ(page.code, 0) << what << page.out.substr(0, 500) << page.err;
+  }
+}
+
+// What is printed for a file saved from the page, and its excess.
+TEST(Dossier, ItsBlocksAreChecked) {
+  const TemporaryFolder folder;
+  for (const std::string what : {"40 6", "9 4 --change 1 --linear", "8 5 --linear", "13 6 --change 3"}) {
+    const auto page = run(
+        "$changeover dossier " + what +
+            " --format html -o d.html && "
+            "sed -n '/class=\"blocks\"/,/<.pre>/p' d.html | sed 's/<[^>]*>//g' | grep . > design.txt "
+            "&& \"$checkdesign\" $(grep -o 'checkdesign -v[^<]*design.txt' d.html | "
+            "cut -d ' ' -f 2-) > said && "
+            "sed -n '/following first/,/<.pre>/p' d.html | sed 's/<[^>]*>//g' | sed 1d | "
+            "grep -v -x -f said | grep . ; "
+            "$changeover dossier " +
+            what + " | sed -n 's/^| excess | \\(.*\\) |$/excess \\1/p' | grep -x -f - said",
+        folder.path());
+    EXPECT_TRUE(page.out.starts_with("excess ")) << what << page.out << page.err;
   }
 }
 

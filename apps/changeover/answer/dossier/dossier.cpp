@@ -2,32 +2,100 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "answer/catalog/entry_words.hpp"
 #include "answer/known/known_table.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/draw/draw.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {
 namespace {
 
-// "Found by A. B. with changeover search …, changeover 1.0, 2026-11-21"; of a printed design the
-// publication is the source; who entered it is said after it.
+// "Found by A. B. with `changeover search …`, changeover 1.0, 2026-11-21"; of a printed design the
+// publication is the source, and a design that is constructed was not found: who entered it is said
+// after it.
 std::string found_words(const CatalogEntry& entry) {
   const Credit& credit = entry.credit;
+  const bool made = credit.command.empty() && !entry.carries_blocks();
   const bool printed = entry.recipe.construction == "printed";
   std::string words;
   if (!credit.who.empty()) {
-    words = (printed ? "Entered by " : "Found by ") + credit.who;
-    words += credit.command.empty() ? "" : " with " + credit.command;
+    words = (made      ? "Constructed as above; entered into the catalog by "
+             : printed ? "Entered by "
+                       : "Found by ") +
+            credit.who;
+    words += credit.command.empty() ? "" : " with `" + credit.command + "`";
   } else {
-    words = credit.command.empty() ? "" : "Found with " + credit.command;
+    words = credit.command.empty() ? "" : "Found with `" + credit.command + "`";
   }
   for (const std::string& part : {credit.program, credit.date}) {
     words += (words.empty() || part.empty() ? "" : ", ") + part;
   }
   return words;
+}
+
+// Newly covered pairs beyond one for each pair, as docs/theorems.md counts them; nothing for one
+// block.
+std::optional<std::int64_t> excess_of(const Design& design) {
+  const Parameters& p = design.parameters();
+  const auto pairs = [](std::uint64_t n) { return static_cast<std::int64_t>(n * (n - 1) / 2); };
+  const std::uint64_t blocks = design.block_count();
+  if (p.strength != 2 || blocks < 2) {
+    return std::nullopt;
+  }
+  const auto each = static_cast<std::int64_t>(p.change * (p.k - p.change)) + pairs(p.change);
+  const bool circular = p.kind == Kind::circular;
+  const auto steps = static_cast<std::int64_t>(circular ? blocks : blocks - 1);
+  std::vector<std::uint64_t> times(p.v);
+  for (std::uint64_t i = 0; i < blocks; ++i) {
+    for (const Element x : design.block(i)) {
+      ++times[x];
+    }
+  }
+  const auto fixed = static_cast<std::uint64_t>(std::ranges::count(times, blocks));
+  return steps * each + (circular ? pairs(fixed) : pairs(p.k)) - pairs(p.v);
+}
+
+void state_facts(Dossier& dossier, const Judgement& judgement,
+                 const std::optional<CatalogEntry>& entry) {
+  const Parameters& p = dossier.parameters;
+  const DesignVerdict& verdict = judgement.verdict;
+  const std::uint64_t gap = dossier.b - verdict.lower_bound;
+  const auto add = [&](const char* name, std::string value) {
+    dossier.facts.push_back({name, std::move(value)});
+  };
+  add("v, elements", std::to_string(p.v));
+  add("k, block size", std::to_string(p.k));
+  add("m, change number", std::to_string(p.change));
+  add("kind", std::string(to_string(p.kind)));
+  if (p.strength != 2) {
+    add("t, strength", std::to_string(p.strength));
+  }
+  add("b, blocks", std::to_string(dossier.b));
+  add("lower bound", fmt::format("{} ({})", verdict.lower_bound, for_paper(judgement.bound.name)));
+  add("quality", std::string(verdict.tight        ? "tight, "
+                             : verdict.economical ? "economical, "
+                                                  : "") +
+                     (verdict.minimum_proved
+                          ? "minimum"
+                          : fmt::format("{} over the lower bound", count_of(gap, "block"))));
+  if (dossier.design) {
+    if (const auto excess = excess_of(*dossier.design)) {
+      add("excess", std::to_string(*excess));
+    }
+    add("order of its group", automorphisms(*dossier.design).order);
+  }
+  if (entry) {
+    if (!entry->credit.date.empty()) {
+      add("date", entry->credit.date);
+    }
+    add("catalog label", dossier.label);
+  }
+  add("verified", fmt::format("{}, by changeover {}", dossier.certificate, version));
 }
 
 void draw_it(Dossier& dossier) {
@@ -70,6 +138,23 @@ std::string own_bibtex(const Dossier& dossier) {
       "  title  = {{{{{} with {}}}}},\n"
       "  note   = {{Changeover {}, SHA-256 of the blocks {}}}\n}}\n",
       cell_label(p), name(p), count_of(dossier.b, "block"), version, to_hex(dossier.checksum));
+}
+
+// What is cited is quoted, and cites in its turn.
+void quote_theorems(Dossier& dossier) {
+  std::vector<std::string> sentences;
+  for (const RecipeStep& step : dossier.steps) {
+    sentences.push_back(for_paper(step.citation));
+    sentences.push_back(for_paper(step.how));
+  }
+  for (const Bound& bound : dossier.known.bounds) {
+    sentences.push_back(for_paper(bound.name));
+    sentences.push_back(for_paper(bound.reason));
+  }
+  dossier.theorems = cited_theorems(sentences);
+  for (const QuotedTheorem& theorem : dossier.theorems) {
+    add_keys(theorem.statement, dossier.keys);
+  }
 }
 
 }  // namespace
@@ -121,6 +206,7 @@ Dossier dossier_of(const ChosenDesign& chosen, const std::optional<CatalogEntry>
   if (const auto& reported = dossier.known.reported) {
     add_keys(fmt::format("[{}]", reported->cites), dossier.keys);
   }
+  quote_theorems(dossier);
   for (std::size_t i = 0; i < dossier.keys.size(); ++i) {  // What is known from a reference.
     const std::string reference = bibtex_of(dossier.keys[i]);
     add_keys(reference, dossier.keys);
@@ -132,7 +218,11 @@ Dossier dossier_of(const ChosenDesign& chosen, const std::optional<CatalogEntry>
       dossier.bibtex += "\n" + bibtex_of(key);
     }
   }
+  if (!dossier.theorems.empty()) {
+    dossier.bibtex += "\n" + own_theorems_bibtex();
+  }
   const Judgement& judgement = chosen.exhibit.judgement;
+  state_facts(dossier, judgement, entry);
   if (judgement.bound.name == "checked proofs" && judgement.bound.blocks == dossier.b) {
     const Parameters& p = dossier.parameters;
     dossier.proof_commands = {

@@ -16,12 +16,19 @@
 
 #include "answer/design/chosen_design.hpp"
 #include "answer/design/recipe_tree.hpp"
+#include "answer/dossier/dossier_words.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/sha256.hpp"
 #include "changeover/draw/picture.hpp"
 #include "construct/known_documents.hpp"
 
 namespace changeover::cli {
+
+/// A row of the table at the top.
+struct DossierFact {
+  std::string name;
+  std::string value;
+};
 
 struct Dossier {
   Parameters parameters;
@@ -32,8 +39,9 @@ struct Dossier {
   std::string label;        ///< in the catalog; empty if it is not there
   std::string credit;       ///< of that entry
   std::string found;        ///< the same as a sentence without its end: who found it, and how
-  Checksum checksum = {};   ///< of the blocks, as labels have it
-  KnownBounds known;        ///< every lower bound; what publications report
+  std::vector<DossierFact> facts;
+  Checksum checksum = {};  ///< of the blocks, as labels have it
+  KnownBounds known;       ///< every lower bound; what publications report
   std::vector<RecipeStep> steps;
   std::string recipe;                        ///< JSON
   std::vector<std::uint64_t> positions;      ///< of an expansion set
@@ -47,8 +55,9 @@ struct Dossier {
   bool names_elements = false;  ///< that file has names instead of numbers, and so another checksum
   /// Make and check the proof that there are none with fewer; empty if the reason is on paper.
   std::vector<std::string> proof_commands;
-  std::vector<std::string> keys;  ///< of docs/references.bib, each once
-  std::string bibtex;             ///< of the design and of all keys
+  std::vector<QuotedTheorem> theorems;  ///< those of the program that it rests on
+  std::vector<std::string> keys;        ///< of docs/references.bib, each once
+  std::string bibtex;                   ///< of the design, of all keys and of those theorems
 };
 
 /// More blocks, or elements in all blocks together, are not listed.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "answer/dossier/dossier.hpp"
+#include "answer/dossier/dossier_form.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/tables.hpp"
 #include "construct/references.hpp"
@@ -12,22 +12,6 @@
 #include "io/write/latex_prose.hpp"
 
 namespace changeover::cli {
-namespace {
-
-/// What every form says, in this order; each form says how.
-class Form {
- public:
-  virtual ~Form() = default;
-  virtual void heading(const std::string& words) = 0;
-  virtual void paragraph(const std::string& words) = 0;
-  /// `depth` is that of a list within lists.
-  virtual void item(std::size_t depth, const std::string& words) = 0;
-  virtual void end_of_items() = 0;
-  virtual void code(const std::string& lines) = 0;
-  virtual void blocks(const Dossier& dossier) = 0;
-  virtual void picture(const Dossier& dossier) = 0;
-  virtual void references(const Dossier& dossier) = 0;
-};
 
 std::string title_of(const Dossier& dossier) {
   return fmt::format("{} with {}", name(dossier.parameters), count_of(dossier.b, "block"));
@@ -43,6 +27,16 @@ std::string lines_of(const Design& design) {
   return text;
 }
 
+std::vector<std::string> all_keys(const Dossier& dossier) {
+  std::vector<std::string> keys = dossier.keys;
+  if (!dossier.theorems.empty()) {
+    keys.emplace_back(own_key);
+  }
+  return keys;
+}
+
+namespace {
+
 // What the name of the design says, for readers of papers that do not.
 std::string definition_of(const Dossier& dossier) {
   const Parameters& p = dossier.parameters;
@@ -50,8 +44,8 @@ std::string definition_of(const Dossier& dossier) {
   const std::string step =
       dossier.b == 1
           ? ""
-          : fmt::format(", and each block has exactly {} that are not in the block before it{}",
-                        count_of(p.change, "element"),
+          : fmt::format(", and each block has exactly {} that {} not in the block before it{}",
+                        count_of(p.change, "element"), p.change == 1 ? "is" : "are",
                         p.kind == Kind::circular ? "; the first block follows the last" : "");
   return fmt::format(
       "Each block has {} of the {} elements, every {} elements are together in some block{}.", p.k,
@@ -77,7 +71,8 @@ void say_bounds(const Dossier& dossier, Form& form) {
           : fmt::format("No {} has fewer than {}; whether one has fewer than {} is open.",
                         name(dossier.parameters), count_of(least, "block"), dossier.b));
   for (const Bound& bound : dossier.known.bounds) {
-    form.item(0, fmt::format("b >= {} ({}): {}", bound.blocks, bound.name, bound.reason));
+    form.item(0,
+              for_paper(fmt::format("b >= {} ({}): {}", bound.blocks, bound.name, bound.reason)));
   }
   form.end_of_items();
   if (mentions(dossier, "i_x")) {
@@ -96,8 +91,8 @@ void say_construction(const Dossier& dossier, Form& form) {
   form.heading("Construction");
   for (const RecipeStep& step : dossier.steps) {
     const bool cites = step.citation != "[elementary]";
-    form.item(step.depth,
-              fmt::format("{}. {}{}", step.design, step.how, cites ? " " + step.citation : ""));
+    form.item(step.depth, for_paper(fmt::format("{}. {}{}", step.design, step.how,
+                                                cites ? " " + step.citation : "")));
   }
   form.end_of_items();
   if (!dossier.label.empty()) {
@@ -112,33 +107,44 @@ void say_construction(const Dossier& dossier, Form& form) {
 }
 
 void say_how_to_check(const Dossier& dossier, Form& form) {
+  const Parameters& p = dossier.parameters;
   form.heading("How to check it");
   form.paragraph(
-      "checkdesign is a C program of one file that shares no code with the program that made the "
-      "design. It prints the word valid, the parameters and the number of blocks.");
+      "`checkdesign` is a C program of one file that shares no code with the program that made the "
+      "design.");
   form.code(dossier.write_command + "\ncheckdesign design.txt\n" +
             (dossier.names_elements ? "" : "grep -v \"^#\" design.txt | sha256sum\n"));
+  if (dossier.design) {
+    form.paragraph(
+        "Without the program, save the blocks above as `design.txt`, one block a line; the file "
+        "has no header then, so the parameters are given:");
+    form.code(fmt::format("checkdesign -v {} -k {} -m {} -t {} {} design.txt\n", p.v, p.k, p.change,
+                          p.strength, p.kind == Kind::circular ? "-c" : "-l"));
+  }
+  form.paragraph("It prints the following first, and then what it counted besides:");
+  form.code(
+      fmt::format("valid\nv {}\nk {}\nchange {}\nkind {}\nstrength {}\nblocks {}\n"
+                  "uncovered 0\nbad-steps 0\n",
+                  p.v, p.k, p.change, to_string(p.kind), p.strength, dossier.b));
+  if (!dossier.names_elements) {
+    form.paragraph("`sha256sum` prints the checksum that stands under Construction.");
+  }
   if (!dossier.proof_commands.empty()) {
     form.paragraph(
         "That no design has fewer blocks rests on proofs by a SAT solver. The first command makes "
         "formulas and proofs in DIMACS and DRAT, and ends with exit code 10, for a design was found "
-        "too. Any DRAT checker reads them; drat-trim prints s VERIFIED for each.");
+        "too. Any DRAT checker reads them; `drat-trim` prints `s VERIFIED` for each.");
     const std::string commands = joined(dossier.proof_commands, "",
                                         [&](const std::string& command) { return command + "\n"; });
     form.code(commands);
   }
-  if (mentions(dossier, "docs/theorems.md")) {
-    form.paragraph(
-        "The theorems of docs/theorems.md have their proofs there; the file is part of the "
-        "program's source.");
-  }
 }
 
+}  // namespace
+
 void write(const Dossier& dossier, Form& form) {
-  form.paragraph(dossier.statement + " " + definition_of(dossier) + " Quality: " + dossier.quality +
-                 ".");
-  form.paragraph("Verified by changeover " + std::string(version) + ": " + dossier.certificate +
-                 ".");
+  form.paragraph(dossier.statement + " " + definition_of(dossier));
+  form.facts(dossier.facts);
   say_bounds(dossier, form);
   say_construction(dossier, form);
   form.heading("Blocks");
@@ -153,25 +159,42 @@ void write(const Dossier& dossier, Form& form) {
     form.picture(dossier);
   }
   say_how_to_check(dossier, form);
+  if (!dossier.theorems.empty()) {
+    form.theorems(dossier);
+  }
   form.references(dossier);
 }
+
+namespace {
 
 // ---------------------------------------------------------------------------------------- LaTeX
 
 class Latex final : public Form {
  public:
-  explicit Latex(const Dossier& dossier) : keys_(dossier.keys) {}
+  explicit Latex(const Dossier& dossier) : keys_(all_keys(dossier)) {}
 
   void heading(const std::string& words) override {
     text += fmt::format("\n\\section*{{{}}}\n", latex_prose(words));
   }
-  void paragraph(const std::string& words) override { text += latex_prose(words, keys_) + "\n\n"; }
+  void paragraph(const std::string& words) override { text += prose(words) + "\n\n"; }
   void item(std::size_t depth, const std::string& words) override {
     constexpr std::size_t deepest = 3;  // lists within lists of LaTeX end at four
     open_to(std::min(depth, deepest) + 1);
-    text += fmt::format("\\item {}\n", latex_prose(words, keys_));
+    text += fmt::format("\\item {}\n", prose(words));
   }
   void end_of_items() override { open_to(0); }
+  void facts(const std::vector<DossierFact>& rows) override {
+    text += "\\begin{center}\n\\begin{tabular}{ll}\n";
+    for (const DossierFact& row : rows) {
+      const std::size_t letter = row.name.size() > 1 && row.name[1] == ',' ? 1 : 0;
+      text += fmt::format("{}{} & {} \\\\\n",
+                          letter == 0 ? "" : fmt::format("${}$", row.name.substr(0, 1)),
+                          latex_prose(row.name.substr(letter)), prose(row.value));
+    }
+    text += "\\end{tabular}\n\\end{center}\n\n";
+  }
+  // They are cited.
+  void theorems(const Dossier&) override {}
   void code(const std::string& lines) override {
     text += fmt::format("\\begin{{verbatim}}\n{}\\end{{verbatim}}\n", folded(lines));
   }
@@ -224,6 +247,16 @@ class Latex final : public Form {
   std::string text;
 
  private:
+  // Commands as code, with places to break them at their blanks.
+  [[nodiscard]] std::string prose(const std::string& words) const {
+    std::string latex;
+    for (const auto& [piece, code] : pieces_of(words)) {
+      latex += code ? fmt::format("\\texttt{{{}}}", latex_prose(piece))
+                    : with_letters_set(latex_prose(piece, keys_));
+    }
+    return latex;
+  }
+
   // Lines that are too long for a page go on below, after a backslash as shells have it.
   static std::string folded(const std::string& lines) {
     constexpr std::size_t width = 80;
@@ -273,11 +306,29 @@ class Markdown final : public Form {
   void heading(const std::string& words) override {
     text += fmt::format("## {}\n\n", markdown_text(words));
   }
-  void paragraph(const std::string& words) override { text += markdown_prose(words) + "\n\n"; }
+  void paragraph(const std::string& words) override { text += prose(words) + "\n\n"; }
   void item(std::size_t depth, const std::string& words) override {
-    text += std::string(2 * depth, ' ') + "- " + markdown_prose(words) + "\n";
+    text += std::string(2 * depth, ' ') + "- " + prose(words) + "\n";
   }
   void end_of_items() override { text += "\n"; }
+  void facts(const std::vector<DossierFact>& rows) override {
+    text += "| | |\n|---|---|\n";
+    for (const DossierFact& row : rows) {
+      text += fmt::format("| {} | {} |\n", markdown_text(row.name), prose(row.value));
+    }
+    text += "\n";
+  }
+  void theorems(const Dossier& dossier) override {
+    heading("Theorems used");
+    paragraph("As docs/theorems.md has them in the source of Changeover, with their proofs.");
+    for (const QuotedTheorem& theorem : dossier.theorems) {
+      text += "> ";
+      for (const char c : theorem.statement) {
+        text += c == '\n' ? std::string("\n> ") : std::string(1, c);
+      }
+      text += "\n\n";
+    }
+  }
   void code(const std::string& lines) override { text += fmt::format("```\n{}```\n\n", lines); }
   void blocks(const Dossier& dossier) override { code(lines_of(*dossier.design)); }
   void picture(const Dossier& dossier) override {
@@ -290,153 +341,21 @@ class Markdown final : public Form {
   }
 
   std::string text;
-};
-
-// ----------------------------------------------------------------------------------------- HTML
-
-constexpr std::string_view style = R"(
-  body { margin: 2rem auto; max-width: 48rem; padding: 0 1rem; color: #111; background: #fff;
-         font: 16px/1.5 "Helvetica Neue", Helvetica, Arial, "Liberation Sans", sans-serif; }
-  h1 { font-size: 1.7rem; margin: 0 0 .5rem; }
-  h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
-  pre { overflow-x: auto; padding: .6rem .8rem; background: #f3f4f5; font-size: .85rem;
-        white-space: pre-wrap; overflow-wrap: anywhere; }
-  .blocks { column-width: 12rem; white-space: pre; }
-  a { color: #0b57a4; }
-  li { margin: .25rem 0; overflow-wrap: anywhere; }
-  summary { cursor: pointer; }
-  figure { margin: 1.5rem 0; text-align: center; }
-  figure svg { max-width: 100%; height: auto; }
-  .picture { overflow-x: auto; border-radius: .3rem; }
-  @media screen and (max-width: 40rem) { .picture svg { max-width: none; width: 44rem; } }
-  figcaption { font-size: .9rem; }
-  @media print {
-    body { margin: 0; max-width: none; font-size: 10pt; } .blocks { white-space: pre-wrap; } }
-  @media (prefers-color-scheme: dark) { @media screen {
-    body { color: #e8e8e8; background: #16181a; } pre { background: #24272a; }
-    a { color: #8ec1ff; } figure svg { background: #fff; } } }
-)";
-
-class Html final : public Form {
- public:
-  Html(const Dossier& dossier, std::string_view explorer)
-      : keys_(dossier.keys), explorer_(explorer) {}
-
-  void heading(const std::string& words) override {
-    text += fmt::format("<h2>{}</h2>\n", html_text(words));
-  }
-  void paragraph(const std::string& words) override {
-    text += fmt::format("<p>{}</p>\n", prose(words));
-  }
-  void item(std::size_t depth, const std::string& words) override {
-    open_to(depth + 1);
-    text += fmt::format("<li>{}\n", prose(words));
-  }
-  void end_of_items() override { open_to(0); }
-  void code(const std::string& lines) override {
-    text += fmt::format("<pre>{}</pre>\n", html_text(lines));
-  }
-  void blocks(const Dossier& dossier) override {
-    text += fmt::format("<pre class=\"blocks\">{}</pre>\n", html_text(lines_of(*dossier.design)));
-  }
-  void picture(const Dossier& dossier) override {
-    text += fmt::format(
-        "<figure>\n<div class=\"picture\" tabindex=\"0\">{}</div><figcaption>{}</figcaption>\n</figure>\n",
-        svg(*dossier.picture, Theme::light), html_text(dossier.picture_says));
-  }
-  void references(const Dossier& dossier) override {
-    heading(keys_.empty() ? "Citation" : "References");
-    text += keys_.empty() ? "" : "<ul>\n";
-    for (const std::string& key : keys_) {
-      const Work& work = *find_work(key);
-      text += fmt::format("<li id=\"{}\">{}", html_text(key), html_text(work.text));
-      if (!work.url.empty()) {
-        text += fmt::format(". <a href=\"{0}\">{0}</a>", html_text(work.url));
-      }
-      text += "\n";
-    }
-    text += keys_.empty() ? "" : "</ul>\n";
-    text += fmt::format("<details>\n<summary>BibTeX of this design{}</summary>\n",
-                        keys_.empty() ? "" : " and of these works");
-    code(dossier.bibtex);
-    text += "</details>\n";
-  }
-
-  std::string text;
 
  private:
-  // Works by their authors, linked to the references; theorems of the program linked to their
-  // proofs, if there are pages that have them.
-  [[nodiscard]] std::string prose(std::string_view words) const {
-    std::string html;
-    std::size_t done = 0;
-    const auto put = [&](std::size_t at, std::size_t length, const std::string& instead) {
-      html += html_prose(words.substr(done, at - done)) + instead;
-      done = at + length;
-    };
-    for (std::size_t at = 0; at < words.size(); ++at) {
-      if (words[at] == '[') {
-        const std::size_t end = std::min(words.find_first_of(",]", at), words.size());
-        const std::string key(words.substr(at + 1, end - at - 1));
-        if (std::ranges::find(keys_, key) != keys_.end()) {
-          put(at + 1, key.size(), fmt::format("<a href=\"#{}\">{}</a>", key, shown_work(key)));
-        }
-      } else if (const auto own = own_theorem_at(words.substr(at)); !own.empty()) {
-        put(at, own.size(), linked(own));
-      }
+  static std::string prose(const std::string& words) {
+    std::string markdown;
+    for (const auto& [piece, code] : pieces_of(words)) {
+      markdown += code ? "`" + piece + "`" : markdown_prose(piece);
     }
-    put(words.size(), 0, "");
-    return html;
+    // Who reads it as it stands reads places to break lines, too.
+    constexpr std::string_view place = "<wbr>";
+    for (std::size_t at = markdown.find(place); at != std::string::npos;
+         at = markdown.find(place, at)) {
+      markdown.erase(at, place.size());
+    }
+    return markdown;
   }
-
-  static std::string shown_work(const std::string& key) {
-    const Work* const work = find_work(key);
-    return html_text(work == nullptr ? key : work->name);
-  }
-
-  // "docs/theorems.md, Theorem 5" or without a number, "stays of Theorem 5"; empty if the text does
-  // not begin with one.
-  [[nodiscard]] static std::string_view own_theorem_at(std::string_view text) {
-    constexpr std::string_view numbered = ", Theorem ";
-    std::size_t length = 0;
-    if (text.starts_with(our_theorems)) {
-      length = our_theorems.size();
-      if (text.substr(length).starts_with(numbered)) {
-        length = std::min(text.find_first_not_of(digits, length + numbered.size()), text.size());
-      }
-    } else if (text.starts_with(stays_of)) {
-      length = std::min(text.find_first_not_of(digits, stays_of.size()), text.size());
-    }
-    return text.substr(0, length);
-  }
-
-  [[nodiscard]] std::string linked(std::string_view own) const {
-    if (explorer_.empty()) {
-      return html_text(own);
-    }
-    const std::size_t digit = own.find_first_of(digits);
-    if (digit == std::string_view::npos) {
-      return fmt::format("<a href=\"{}#/theorems\">{}</a>", explorer_, own);
-    }
-    return fmt::format("{0}<a href=\"{1}#/theorems?theorem={2}\">Theorem {2} of Changeover</a>",
-                       own.starts_with(stays_of) ? "stays of " : "", explorer_, own.substr(digit));
-  }
-
-  void open_to(std::size_t depth) {
-    for (; open_ < depth; ++open_) {
-      text += "<ul>\n";
-    }
-    for (; open_ > depth; --open_) {
-      text += "</ul>\n";
-    }
-  }
-
-  static constexpr std::string_view our_theorems = "docs/theorems.md";
-  static constexpr std::string_view stays_of = "stays of Theorem ";
-  static constexpr std::string_view digits = "0123456789";
-  std::vector<std::string> keys_;
-  std::string_view explorer_;
-  std::size_t open_ = 0;
 };
 
 }  // namespace
@@ -469,20 +388,6 @@ std::string dossier_markdown(const Dossier& dossier) {
   Markdown form;
   write(dossier, form);
   return fmt::format("# A {}\n\n{}", markdown_text(title_of(dossier)), form.text);
-}
-
-std::string dossier_html(const Dossier& dossier, std::string_view explorer) {
-  Html form(dossier, explorer);
-  write(dossier, form);
-  if (!explorer.empty()) {
-    const Parameters& cell = dossier.parameters;
-    form.text += fmt::format(
-        "<p><a href=\"{}#/cell?v={}&amp;k={}&amp;change={}&amp;kind={}{}\">What else is known of "
-        "these parameters</a></p>\n",
-        explorer, cell.v, cell.k, cell.change, to_string(cell.kind),
-        cell.strength == 2 ? "" : fmt::format("&amp;strength={}", cell.strength));
-  }
-  return html_page("A " + title_of(dossier), style, form.text);
 }
 
 }  // namespace changeover::cli
