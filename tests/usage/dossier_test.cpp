@@ -93,18 +93,19 @@ TEST(Dossier, ItsCommandsMakeItsDesign) {
 // What is printed for a file saved from the page, and its excess.
 TEST(Dossier, ItsBlocksAreChecked) {
   const TemporaryFolder folder;
-  for (const std::string what : {"40 6", "9 4 --change 1 --linear", "8 5 --linear", "13 6 --change 3"}) {
-    const auto page = run(
-        "$changeover dossier " + what +
-            " --format html -o d.html && "
-            "sed -n '/class=\"blocks\"/,/<.pre>/p' d.html | sed 's/<[^>]*>//g' | grep . > design.txt "
-            "&& \"$checkdesign\" $(grep -o 'checkdesign -v[^<]*design.txt' d.html | "
-            "cut -d ' ' -f 2-) > said && "
-            "sed -n '/following first/,/<.pre>/p' d.html | sed 's/<[^>]*>//g' | sed 1d | "
-            "grep -v -x -f said | grep . ; "
-            "$changeover dossier " +
-            what + " | sed -n 's/^| excess | \\(.*\\) |$/excess \\1/p' | grep -x -f - said",
-        folder.path());
+  for (const std::string what :
+       {"40 6", "9 4 --change 1 --linear", "8 5 --linear", "13 6 --change 3"}) {
+    const auto page =
+        run("$changeover dossier " + what +
+                " --format html -o d.html && "
+                "sed -n '/class=\"blocks\"/,/<.pre>/p' d.html | sed 's/<[^>]*>//g' | grep . > "
+                "design.txt && \"$checkdesign\" $(grep -o 'checkdesign -v[^<]*design.txt' d.html | "
+                "cut -d ' ' -f 2-) > said && "
+                "sed -n '/following first/,/<.pre>/p' d.html | sed 's/<[^>]*>//g' | sed 1d | "
+                "grep -v -x -f said | grep . ; "
+                "$changeover dossier " +
+                what + " | sed -n 's/^| excess | \\(.*\\) |$/excess \\1/p' | grep -x -f - said",
+            folder.path());
     EXPECT_TRUE(page.out.starts_with("excess ")) << what << page.out << page.err;
   }
 }

@@ -71,7 +71,8 @@ inline constexpr std::uint64_t most_listed_elements = 6'000;
 
 [[nodiscard]] std::string dossier_latex(const Dossier& dossier);
 [[nodiscard]] std::string dossier_markdown(const Dossier& dossier);
-/// `explorer` is where the pages of the program are, as seen from this one: theorems are linked there.
+/// `explorer` is where the pages of the program are, as seen from this one: theorems are linked
+/// there.
 [[nodiscard]] std::string dossier_html(const Dossier& dossier, std::string_view explorer = {});
 
 /// The document changeover-dossier/1 (docs/schema).

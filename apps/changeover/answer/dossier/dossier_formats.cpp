@@ -132,8 +132,8 @@ void say_how_to_check(const Dossier& dossier, Form& form) {
   if (!dossier.proof_commands.empty()) {
     form.paragraph(
         "That no design has fewer blocks rests on proofs by a SAT solver. The first command makes "
-        "formulas and proofs in DIMACS and DRAT, and ends with exit code 10, for a design was found "
-        "too. Any DRAT checker reads them; `drat-trim` prints `s VERIFIED` for each.");
+        "formulas and proofs in DIMACS and DRAT, and ends with exit code 10, for a design was "
+        "found too. Any DRAT checker reads them; `drat-trim` prints `s VERIFIED` for each.");
     const std::string commands = joined(dossier.proof_commands, "",
                                         [&](const std::string& command) { return command + "\n"; });
     form.code(commands);

@@ -125,8 +125,8 @@ class Html final : public Form {
   void theorems(const Dossier& dossier) override {
     heading("Theorems used");
     paragraph(
-        "As `docs/theorems.md` has them in the source of Changeover, with their proofs; conventions "
-        "and signs are explained there.");
+        "As `docs/theorems.md` has them in the source of Changeover, with their proofs; "
+        "conventions and signs are explained there.");
     for (const QuotedTheorem& theorem : dossier.theorems) {
       const std::string name = "Theorem " + theorem.number;
       const std::string linked = explorer_.empty()

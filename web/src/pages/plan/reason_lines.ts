@@ -1,8 +1,10 @@
 // A reason of the planner, taken apart: what there must be at least, and why.
 import { number } from '../../lib/words';
 
-const searched =
-  /^of all lists, looked through from the cheapest on in (\d+) states?, none costs less; without that, /;
+const searched = new RegExp(
+  '^of all lists, looked through from the cheapest on in (\\d+) states?, none costs less; ' +
+    'without that, ',
+);
 const least = /^(?:, )?at least (\d+ (?:tests?|changes?)) \(/;
 
 /** Where the bracket that opens at `from` closes; -1: nowhere. */
