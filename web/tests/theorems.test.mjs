@@ -99,8 +99,26 @@ test('statements come first, and proofs are folded', async (explorer) => {
   const unfolded = await page
     .locator('article.statement:not(:has(details.proof))')
     .evaluateAll((all) => all.map((each) => each.id));
-  // The items of Theorem 23 are statements with a reason each.
-  assert.deepEqual(unfolded, ['theorem-23']);
+  assert.deepEqual(unfolded, []);
+  // The items of Theorem 23 are conditions with a proof each.
+  await page.locator('#theorem-23').getByText('The conditions and their proofs').waitFor();
+});
+
+test('theorems are found by words, in the contents, too; terms say what they mean', async (explorer) => {
+  const page = await explorer.open('#/theorems');
+  const contents = page.getByRole('navigation', { name: 'Contents' });
+  await contents.getByText('Run sheets and loads').waitFor();
+  await page.getByLabel('Find a theorem').fill('benches');
+  await page.locator('#theorem-26').waitFor();
+  assert.ok(await page.locator('#theorem-1').isHidden());
+  assert.ok(await contents.getByText('Double change').isHidden());
+  assert.ok(await contents.getByText('What one of several benches must mount').isVisible());
+  await page.getByLabel('Find a theorem').fill('');
+  const term = page.locator('#theorem-1 a.term').first();
+  await term.focus();
+  await page.getByRole('tooltip').getByText('every pair is newly covered exactly once').waitFor();
+  await page.keyboard.press('Enter');
+  await page.waitForURL(/#\/glossary\?term=tight/);
 });
 
 test('constructions are found by words', async (explorer) => {

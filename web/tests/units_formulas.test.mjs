@@ -32,7 +32,7 @@ test('formulas in text: what is mathematics and what is not', async () => {
     ['put ∞_s into blocks', 'put ⟦\\infty _{s}⟧ into blocks'],
     ['DCCD(61,4)', '⟦\\mathrm{DCCD}(61,4)⟧'],
     ['A = {0, 1, …, n−1} ⊂ Z_v', '⟦A=\\{0,\\, 1,\\, \\dots ,\\, n-1\\}\\subset Z_{v}⟧'],
-    ['b = (x+y)(z+1) = k(v−1)+m(b−1) = 3v − 3k', '⟦b⟧⟦{}=(x+y)(z+1)⟧⟦{}=k(v-1)+m(b-1)⟧⟦{}=3v-3k⟧'],
+    ['b = (x+y)(z+1) = k(v−1)+m(b−1) = 3v − 3k', '⟦b=(x+y)(z+1)⟧⟦{}=k(v-1)+m(b-1)⟧⟦{}=3v-3k⟧'],
     ['b = tp + 1 and cu + 2t − 1, at least', '⟦b=tp+1⟧ and ⟦cu+2t-1⟧, at least'],
     ['Σ A_x ≤ nk, at most sn, which', '⟦\\sum A_{x}\\le nk⟧, at most ⟦sn⟧, which'],
     ['it is so: by ms and km, of us', 'it is so: by ms and km, of us'],
@@ -105,4 +105,27 @@ test('fractions of formulas that stand alone', async () => {
   // Within brackets lines stay low, and products are not cut.
   assert.deepEqual(set('⌈v/2⌉'), [['\\lceil v/2\\rceil ']]);
   assert.deepEqual(set('v(v−1)/2'), [['v(v-1)/2']]);
+});
+
+test('a definition, a remainder in brackets, what stands in brackets after a name', async () => {
+  const { pieces } = await load('lib/formula.ts');
+  const tex = (text) => pieces(text).flatMap((piece) => ('tex' in piece ? [piece.tex] : []));
+  assert.deepEqual(tex('let n := k−2'), ['n\\mathrel{:=}k-2']);
+  assert.match(tex('if c ≡ 0 (mod 4)').join(), /mathrm\{mod\}/);
+  assert.match(tex('if c mod 4 = 1').join(), /bmod/);
+  assert.deepEqual(tex('A is part of B_{−1}'), ['A', 'B_{-1}']);
+  const [design, ...others] = tex('a DCCD(c(4k−6)+1, k, c(c(4k−6)+1)) is');
+  assert.match(design, /^\\mathrm\{DCCD\}.*\)$/);
+  assert.deepEqual(others, []);
+});
+
+test('each theorem is in one group, with a short title', async () => {
+  const { groups } = await load('pages/theorems/groups.ts');
+  const text = readFileSync(new URL('../../docs/theorems.md', import.meta.url), 'utf8');
+  const numbers = [...text.matchAll(/^## Theorem (\d+)$/gm)].map(([, number]) => number);
+  const entries = groups.flatMap(([, some]) => some);
+  assert.deepEqual(entries.map(([number]) => number).sort(), numbers.sort());
+  for (const [number, title] of entries) {
+    assert.ok(title.length <= 40, `Theorem ${number}: ${title}`);
+  }
 });

@@ -71,6 +71,8 @@ function isNamed(sign: string, before: string, behind: string): boolean {
   const article = sign === 'a' || sign === 'A';
   return (
     /^(?:[_^]| [=≤≥≠≡<>+−·∖∪∩⊂∈] )/.test(behind) ||
+    // "A is part of B".
+    (sign === 'A' && /^ (?:is|has|meets|lies) /.test(behind)) ||
     (article && /[\d(−+·/]$/.test(before) && /^[,−+·/]/.test(behind)) ||
     (article && /[\d−+·/]$|[=≤≥<>+−·] $/.test(before) && /^(?:$|[,.;:)]| [+−·/] )/.test(behind)) ||
     (sign === 'a' && /\s$/.test(before) && /^[,.;:]/.test(behind)) ||
@@ -131,9 +133,12 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
   const number = /^\d+(?:[.]\d+)?/.exec(rest);
   if (number) {
     const end = scripts(text, at + number[0].length);
-    return { ...make('number', number[0], number[0] + end.tex), to: end.to };
+    const grouped = /^\d{5,}$/.test(number[0])
+      ? number[0].replace(/\B(?=(\d{3})+$)/g, '\\,')
+      : number[0];
+    return { ...make('number', number[0], grouped + end.tex), to: end.to };
   }
-  const double = /^(?:>=|<=|\.\.\.)/.exec(rest);
+  const double = /^(?:>=|<=|:=|\.\.\.)/.exec(rest);
   if (double) {
     return make(double[0] === '...' ? 'variable' : 'operator', double[0], symbols[double[0]]!);
   }
@@ -363,7 +368,7 @@ function trimmed(tokens: Token[]): Token[] {
   }
 }
 
-const relations = new Set(['=', '≤', '≥', '<=', '>=', '<', '>', '≡', '≢', '≠']);
+const relations = new Set([':=', '=', '≤', '≥', '<=', '>=', '<', '>', '≡', '≢', '≠']);
 const sums = new Set(['+', '−', '-', '·', '*']);
 /** Longer formulas, in letters, are set in parts, between which lines can end. */
 const longest = 24;
@@ -371,9 +376,12 @@ const longest = 24;
 /** A long list, a part for some members. */
 function listed(tokens: readonly Token[]): Token[][] {
   const found: Token[][] = [[]];
+  const open: string[] = [];
   tokens.forEach((token) => {
     found.at(-1)!.push(token);
-    if (token.sign === ',' && found.at(-1)!.length >= 8) {
+    token.kind === 'open' ? open.push(token.sign) : token.kind === 'close' && open.pop();
+    // What stands in brackets after a name is one thing.
+    if (token.sign === ',' && found.at(-1)!.length >= 8 && !open.includes('(')) {
       found.push([]);
     }
   });
@@ -400,7 +408,10 @@ function parts(tokens: Token[]): Token[][] {
       }
       found.at(-1)!.push(token);
     });
-    return found;
+    // A letter by itself is no line: "b" stays with "≥ ⌈1830/5⌉".
+    return found.length > 1 && length(found[0]!) <= 5
+      ? [[...found[0]!, ...found[1]!], ...found.slice(2)]
+      : found;
   };
   return length(tokens) <= longest
     ? [tokens]

@@ -83,7 +83,7 @@ export function join(tokens: readonly Token[], text: string, high = false): stri
     if (token.kind === 'function' && tex !== '' && i > 0) {
       tex += ' ';
     }
-    tex += token.tex;
+    tex += token.sign === 'mod' && tokens[i - 1]?.kind === 'open' ? '\\mathrm{mod}\\; ' : token.tex;
     const gap = next ? text.slice(token.to, next.from) : '';
     if (gap.length >= 2 && !gap.includes('\n')) {
       tex += '\\quad ';

@@ -4,6 +4,7 @@ export const symbols: Record<string, string> = {
   '≤': '\\le ',
   '≥': '\\ge ',
   '<=': '\\le ',
+  ':=': '\\mathrel{:=}',
   '>=': '\\ge ',
   '<': '<',
   '>': '>',

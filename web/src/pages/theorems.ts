@@ -1,18 +1,18 @@
 // The theorems that the program uses beyond the published ones, and all constructions, each with an
 // example to look at.
-import type { Cell, Construction, Theorem } from '../lib/api';
+import type { Construction, Theorem } from '../lib/api';
 import { cited } from '../lib/citations';
 import { fill, h, type Child } from '../lib/dom';
 import { line, markup } from '../lib/markup';
 import { afterSight, prepare } from '../lib/mathematics';
-import { constructions, designOf, isHeld, theorems as ask } from '../lib/source';
-import { symmetryOf } from '../lib/symmetry';
+import { constructions, theorems as ask } from '../lib/source';
 import { waiting } from '../lib/wait';
 import { count } from '../lib/words';
-import { citation, reason, shortName } from '../parts/recipe';
-import { thumbnail } from '../parts/thumbnail';
+import { citation, reason } from '../parts/recipe';
 import { link, problem, type Page, type View } from '../shell/router';
-import { circlePicture } from './design/circle';
+import { linkTerms } from '../parts/knowl';
+import { Gallery } from './theorems/gallery';
+import { groups, kindsOf } from './theorems/groups';
 
 /** As a reader looks for them: by their authors, or else their titles. */
 const inOrder = [...cited].sort(([, one], [, other]) => one.localeCompare(other, 'en'));
@@ -34,81 +34,6 @@ function inPages(constructions: ReadonlySet<string>): (to: string) => string | n
   };
 }
 
-/**
- * Pictures of examples are made when they come into sight, one after the other: on a circle if the
- * design is turned by a symmetry, otherwise its stays.
- */
-class Gallery {
-  private readonly watcher: IntersectionObserver;
-  private readonly cells = new Map<Element, Cell>();
-  private queue: Promise<void> = Promise.resolve();
-
-  constructor(private readonly signal: AbortSignal) {
-    this.watcher = new IntersectionObserver(
-      (seen) => {
-        for (const { target, isIntersecting } of seen) {
-          if (isIntersecting) {
-            this.watcher.unobserve(target);
-            this.queue = this.queue.then(() => this.show(target));
-          }
-        }
-      },
-      { rootMargin: '300px' },
-    );
-    signal.addEventListener('abort', () => this.watcher.disconnect());
-    document.addEventListener(
-      'themechange',
-      () => this.cells.forEach((_, place) => this.watcher.observe(place)),
-      { signal },
-    );
-  }
-
-  add(cell: Cell): HTMLElement {
-    const place = h('span', { class: 'small-picture' });
-    this.cells.set(place, cell);
-    this.watcher.observe(place);
-    return h(
-      'a',
-      { class: 'example', href: link('design', { ...cell }) },
-      place,
-      h(
-        'span',
-        {},
-        `Example: ${shortName(cell)}`,
-        (cell.strength ?? 2) > 2 && `, strength ${cell.strength}`,
-      ),
-    );
-  }
-
-  private async show(place: Element): Promise<void> {
-    try {
-      const cell = this.cells.get(place)!;
-      if (!(await isHeld(cell))) {
-        return;
-      }
-      const design = await designOf(cell, this.signal);
-      const symmetry = symmetryOf(design);
-      const turned = symmetry.rotations > 2 && symmetry.shift <= 6 && design.v <= 80;
-      const image = turned
-        ? circlePicture(
-            symmetry,
-            design.blocks,
-            (x) => design.labels?.[x] ?? String(x),
-            Array.from({ length: symmetry.shift }, (_, i) => i),
-            [],
-            place.clientWidth,
-          )
-        : thumbnail(design, '', this.signal);
-      image.setAttribute('aria-hidden', 'true');
-      image.removeAttribute('role');
-      image.removeAttribute('aria-label');
-      fill(place, image as Node);
-    } catch {
-      // The link is there all the same.
-    }
-  }
-}
-
 /** A theorem; its statement is written by `write`. */
 function theorem(
   it: Theorem,
@@ -117,6 +42,16 @@ function theorem(
   links: (to: string) => string | null,
 ): { element: HTMLElement; write(): void } {
   const prose = h('div', { class: 'prose' });
+  // The heading says its number.
+  const named = it.statement.replace(
+    new RegExp(`\\*\\*Theorem ${it.number}(\\.?)\\*\\*`),
+    '**Theorem$1**',
+  );
+  // Where each condition has its own proof these are folded as proofs are.
+  const listed = it.proof === '' ? named.search(/\n1\. (?=\S)/) : -1;
+  const [statement, proof] =
+    listed > 0 ? [named.slice(0, listed), named.slice(listed + 1)] : [named, it.proof];
+  const kinds = kindsOf(it.number);
   const element = h(
     'article',
     { id: `theorem-${it.number}`, class: chosen ? 'statement chosen' : 'statement', tabindex: -1 },
@@ -126,25 +61,30 @@ function theorem(
       h('a', { href: link('theorems', { theorem: it.number }) }, `Theorem ${it.number}`),
       it.title && it.title !== `Theorem ${it.number}` ? [': ', ...line(it.title)] : '',
     ),
+    kinds.length > 0 &&
+      h(
+        'p',
+        { class: 'kinds' },
+        kinds.map((kind) => h('span', { class: 'kind-tag' }, kind)),
+      ),
     h('div', { class: 'with-example' }, prose, it.example && gallery.add(it.example)),
   );
   return {
     element,
-    write: () =>
+    write: () => {
       fill(
         prose,
-        markup(
-          it.statement.replace(new RegExp(`^\\s*\\*\\*Theorem ${it.number}\\.\\*\\*\\s*`), ''),
-          links,
-        ), // The heading says its name.
-        it.proof &&
+        markup(statement, links),
+        proof &&
           h(
             'details',
             { class: 'proof' },
-            h('summary', {}, 'Proof'),
-            lazily(() => markup(it.proof, links)),
+            h('summary', {}, listed > 0 ? 'The conditions and their proofs' : 'Proof'),
+            lazily(() => markup(proof, links)),
           ),
-      ),
+      );
+      linkTerms(prose);
+    },
   };
 }
 
@@ -201,6 +141,10 @@ function followReading(
   const parts = [...entries.keys()].flatMap(
     (id) => root.querySelector<HTMLElement>(`#${id}`) ?? [],
   );
+  // The contents have another order than the page.
+  parts.sort((one, other) =>
+    one.compareDocumentPosition(other) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1,
+  );
   const list = contents.querySelector('ul')!;
   let marked: HTMLElement | undefined;
   let asked = false;
@@ -231,6 +175,27 @@ function followReading(
     signal,
   });
   requestAnimationFrame(mark);
+}
+
+/** The theorems as the contents list them; those that are in no group come last. */
+function grouped(
+  proved: readonly Theorem[],
+): (readonly [string, (readonly [number: string, title: string])[]])[] {
+  const titles = new Map(proved.map(({ number, title }) => [number, title]));
+  const placed = new Set(groups.flatMap(([, entries]) => entries.map(([number]) => number)));
+  const rest = proved.filter(({ number }) => !placed.has(number));
+  return [
+    ...groups.map(
+      ([heading, entries]) =>
+        [
+          heading,
+          entries
+            .filter(([number]) => titles.has(number))
+            .map(([number, title]) => [number, title] as const),
+        ] as const,
+    ),
+    ['Others', rest.map(({ number, title }) => [number, title] as const)] as const,
+  ].filter(([, entries]) => entries.length > 0);
 }
 
 /** What is inside of a fold, made when it is opened. */
@@ -369,6 +334,40 @@ export const theorems: Page = {
       anchored ? stated.length : 3,
       view.signal,
     );
+    const sought = h('p', { class: 'hint', role: 'status' });
+    const seek = h('input', {
+      type: 'search',
+      id: 'seek',
+      placeholder: 'tight, k = 5, benches, 23',
+      oninput: () => seekTheorems(),
+    });
+
+    function seekTheorems(): void {
+      const words = seek.value.toLowerCase().split(/\s+/).filter(Boolean);
+      let left = 0;
+      proved.forEach((each, i) => {
+        const text = [each.title, each.statement, ...kindsOf(each.number)].join(' ').toLowerCase();
+        const shows = words.every((word) =>
+          /^\d+$/.test(word) && words.length === 1
+            ? each.number === word || text.includes(word)
+            : text.includes(word),
+        );
+        stated[i]!.element.hidden = !shows;
+        entriesOf.get(each.number)!.hidden = !shows;
+        left += shows ? 1 : 0;
+      });
+      heads.forEach((numbers, head) => {
+        head.hidden = numbers.every((number) => entriesOf.get(number)!.hidden);
+      });
+      sought.textContent =
+        words.length === 0
+          ? count(proved.length, 'theorem')
+          : left === 0
+            ? 'No theorem says that. Try fewer words.'
+            : `${left} of ${count(proved.length, 'theorem')}`;
+      statements.rest();
+    }
+    sought.textContent = count(proved.length, 'theorem');
     const missing =
       (wanted.theorem &&
         !proved.some((each) => each.number === wanted.theorem) &&
@@ -408,6 +407,16 @@ export const theorems: Page = {
           words,
         ),
       );
+    const entriesOf = new Map<string, HTMLElement>();
+    const heads = new Map<HTMLElement, readonly string[]>();
+    const headOf = (heading: string, entries: readonly (readonly [string, string])[]) => {
+      const head = h('li', { class: 'contents-group' }, heading);
+      heads.set(
+        head,
+        entries.map(([number]) => number),
+      );
+      return head;
+    };
     const here = h('span', { class: 'contents-here', 'aria-hidden': 'true' });
     const beside = window.matchMedia('(min-width: 56.01rem)');
     const contents = h(
@@ -420,13 +429,19 @@ export const theorems: Page = {
         h(
           'ul',
           {},
-          proved.map((each) =>
-            jump(
-              [h('strong', {}, each.number), ' ', ...line(each.title)],
-              `theorem-${each.number}`,
-              link('theorems', { theorem: each.number }),
-            ),
-          ),
+          grouped(proved).flatMap(([heading, entries]) => [
+            headOf(heading, entries),
+            ...entries.map(([number, title]) => {
+              const entry = jump(
+                [h('strong', {}, number), ' ', ...line(title)],
+                `theorem-${number}`,
+                link('theorems', { theorem: number }),
+              );
+              entriesOf.set(number, entry);
+              return entry;
+            }),
+          ]),
+          h('li', { class: 'contents-group' }, 'More'),
           jump([h('strong', {}, 'Constructions')], 'constructions', link('theorems')),
           jump([h('strong', {}, 'References')], 'references', link('theorems')),
         ),
@@ -465,6 +480,12 @@ export const theorems: Page = {
               'third number is that of blocks, as in DCCD(v, k, b).',
           ),
           h('h2', {}, 'Theorems'),
+          h(
+            'div',
+            { class: 'row' },
+            h('div', { class: 'field' }, h('label', { for: seek.id }, 'Find a theorem'), seek),
+            sought,
+          ),
           stated.map(({ element }) => element),
           h('h2', { id: 'constructions', tabindex: -1 }, 'Constructions'),
           h(

@@ -1,0 +1,107 @@
+// Terms of the glossary where they stand in a text: their sentence on hover, focus or a tap, and a
+// link to the glossary.
+import { fill, h } from '../lib/dom';
+import { mathText } from '../lib/mathematics';
+import { glossary, termAt } from '../lib/terms';
+import { link } from '../shell/router';
+
+/** Words of texts, as patterns, and the terms that they are. */
+const words: readonly (readonly [pattern: string, term: string])[] = [
+  ['unchanged subsets?', 'unchanged subset'],
+  ['expansion sets?', 'expansion set'],
+  ['base blocks?', 'base block'],
+  ['newly covered', 'newly covered'],
+  ['lower bound', 'lower bound'],
+  ['best known', 'best known'],
+  ['automorphisms?', 'automorphism, group'],
+  ['tight', 'tight'],
+  ['economical', 'economical'],
+  ['excess', 'excess'],
+  ['introduced', 'introduced'],
+  // The noun: parts stay mounted, too.
+  ['(?<=\\b(?:the|a|its|their|of|maximal|two|three) )stays?', 'stay'],
+  ['recipe', 'recipe'],
+];
+const meanings = new Map(glossary);
+const pattern = new RegExp(`\\b(?:${words.map(([each]) => `(${each})`).join('|')})\\b`, 'i');
+const left = '.badge, a, button, code, math, .math, h1, h2, h3, summary, label, svg, .verdict h2';
+
+let tip: HTMLElement | null = null;
+let shownFor: HTMLElement | null = null;
+
+function hide(): void {
+  tip?.remove();
+  shownFor = null;
+}
+
+function show(anchor: HTMLElement, meaning: string): void {
+  tip ??= h('div', { class: 'knowl', role: 'tooltip', id: 'knowl' });
+  fill(tip, mathText(meaning));
+  document.body.append(tip);
+  shownFor = anchor;
+  const { left: x, bottom, top } = anchor.getBoundingClientRect();
+  const { offsetWidth, offsetHeight } = tip;
+  const room = document.documentElement.clientWidth - offsetWidth - 8;
+  tip.style.left = `${window.scrollX + Math.max(8, Math.min(x, room))}px`;
+  const below = bottom + offsetHeight + 8 < window.innerHeight;
+  tip.style.top = `${window.scrollY + (below ? bottom + 4 : top - offsetHeight - 4)}px`;
+}
+
+function termLink(text: string, term: string): HTMLElement {
+  const meaning = meanings.get(term)!;
+  const anchor: HTMLElement = h(
+    'a',
+    {
+      class: 'term',
+      href: link('glossary', { term: termAt(term) }),
+      'aria-description': meaning,
+      onmouseenter: () => show(anchor, meaning),
+      onmouseleave: hide,
+      onfocus: () => show(anchor, meaning),
+      onblur: hide,
+      // A finger has no hover: the first tap says what it means, the second leads to the glossary.
+      onpointerdown: (event) => {
+        if ((event as PointerEvent).pointerType === 'touch' && shownFor !== anchor) {
+          anchor.addEventListener('click', (tap) => tap.preventDefault(), { once: true });
+          show(anchor, meaning);
+        }
+      },
+      onkeydown: (event) => (event as KeyboardEvent).key === 'Escape' && hide(),
+      onclick: () => setTimeout(() => shownFor?.isConnected || hide(), 0),
+    },
+    text,
+  );
+  return anchor;
+}
+
+/** Links the first place of each term below `root`; `known` are those that were linked before. */
+export function linkTerms(root: Element, known = new Set<string>()): void {
+  const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
+  const texts: Text[] = [];
+  while (walker.nextNode()) {
+    const text = walker.currentNode as Text;
+    if (!text.parentElement?.closest(left)) {
+      texts.push(text);
+    }
+  }
+  for (const text of texts) {
+    let rest: Text = text;
+    for (let from = 0; ;) {
+      const found = pattern.exec(rest.data.slice(from));
+      if (!found) {
+        break;
+      }
+      const term = words[found.slice(1).findIndex((each) => each !== undefined)]![1];
+      const at = from + found.index;
+      if (known.has(term)) {
+        from = at + found[0].length;
+        continue;
+      }
+      known.add(term);
+      const word = rest.splitText(at);
+      rest = word.splitText(found[0].length);
+      word.replaceWith(termLink(found[0], term));
+      from = 0;
+    }
+  }
+}
