@@ -36,7 +36,7 @@ test('a minimum says by which argument', async (explorer) => {
   const page = await explorer.open('#/cell?v=20&k=5');
   assert.match(
     await page.locator('.known').textContent(),
-    /29.*minimum.*No design has fewer blocks\. The bound “degree” proves it/s,
+    /29.*minimum.*No design has fewer blocks: degree bound/s,
   );
   assert.equal(await page.getByRole('link', { name: 'Search for a better one' }).count(), 0);
   // What made it is a construction that the page Theorems has, in the summary and in the history.

@@ -350,8 +350,8 @@ export function downloadAddress(asked: Selector, format: string): string {
 }
 
 /** One design for a paper: html, latex or markdown. */
-export function dossierAddress(cell: Cell, format: string): string {
-  return address('dossier', { ...parameters(cell), format });
+export function dossierAddress(of: Cell | { label: string }, format: string): string {
+  return address('dossier', { ...('label' in of ? of : parameters(of)), format });
 }
 
 /** `20.5.2.linear…` to its cell; null if it begins otherwise. */

@@ -1,28 +1,33 @@
 // One cell: what is known of its parameters, why, from whom, since when, and how many designs there
 // are.
 import { ApiError, type Cell, type CellDetail, type Design, type TreeNode } from '../lib/api';
-import { counted } from '../lib/atlas';
-import { work } from '../lib/citations';
 import { fill, h, scroll, type Child } from '../lib/dom';
 import { formula } from '../lib/mathematics';
-import { cellDetail, designOf, dossierAddress, explain, isHeld } from '../lib/source';
+import {
+  cellDetail,
+  constructions,
+  designOf,
+  dossierAddress,
+  explain,
+  isHeld,
+} from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
-import { changeWord, count, nameOf, number, ratio } from '../lib/words';
+import { changeWord, count, nameOf, number } from '../lib/words';
 import { command } from '../parts/command';
 import { copyButton } from '../parts/copy';
 import { downloads } from '../parts/downloads';
 import { busyKey, cellOf } from '../parts/fields';
-import { ladder } from '../parts/ladder';
+import { linkTerms } from '../parts/knowl';
 import { defined, reason, recipeTree } from '../parts/recipe';
-import { badge } from '../parts/status';
 import { thumbnail } from '../parts/thumbnail';
 import { isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { at } from './cell/address';
 import { beyondTheCopy, exchanged, tooLarge } from './cell/none';
-import { madeBy, origins } from './cell/designs';
+import { origins } from './cell/designs';
 import { neighbourhood } from './cell/neighbours';
+import { summary } from './cell/summary';
 
 /** The same with other parameters. Arrow keys go to neighbours, too. */
 function others(cell: Cell): HTMLElement {
@@ -85,125 +90,12 @@ function walk(view: View, cell: Cell): void {
   );
 }
 
-/** What a publication reports and the catalog cannot verify. */
-function reported(detail: CellDetail): Child[] {
-  return detail.reported
-    ? [
-        `A design with ${count(detail.reported.blocks, 'block')} is reported by `,
-        work(detail.reported.cites),
-        '; the blocks are not held here, so this is not verified.',
-      ]
-    : [];
-}
-
-function summary(
-  cell: Cell,
-  detail: CellDetail,
-  frozen: boolean,
-  figure: HTMLElement,
-): HTMLElement {
-  if (detail.impossible) {
-    return h(
-      'p',
-      { class: 'note' },
-      h('strong', {}, 'There is none: '),
-      reason(detail.impossible),
-      '.',
-    );
-  }
-  const best = detail.best;
-  if (!best) {
-    return h(
-      'div',
-      { class: 'known' },
-      h(
-        'div',
-        { class: 'known-words' },
-        ladder(detail.lower_bound, null),
-        h('p', {}, 'No design with these parameters is known. ', reported(detail)),
-        !frozen &&
-          h(
-            'p',
-            { class: 'buttons' },
-            h('a', { class: 'button', href: link('search', { ...cell }) }, 'Search for one'),
-          ),
-      ),
-    );
-  }
-  const over = detail.lower_bound === null ? 0 : best.b - detail.lower_bound;
-  const strongest = detail.bounds[0];
-  const { tight } = counted({ ...cell, strength: cell.strength ?? 2, b: best.b });
-  return h(
-    'div',
-    { class: 'known' },
-    h(
-      'p',
-      { class: 'figure' },
-      h('strong', {}, number(best.b)),
-      h(
-        'span',
-        {},
-        ` ${best.b === 1 ? 'block' : 'blocks'} `,
-        badge(best.status),
-        tight && [' ', h('span', { class: 'badge good' }, 'tight')],
-      ),
-    ),
-    h(
-      'div',
-      { class: 'known-words' },
-      ladder(detail.lower_bound, best.b),
-      over > 0 &&
-        h(
-          'p',
-          {},
-          `${count(over, 'block')} over the lower bound ${number(detail.lower_bound!)} (b / ` +
-            `bound ${ratio(best.b, detail.lower_bound!)}). A design with fewer blocks may exist.`,
-        ),
-      detail.reported && h('p', {}, reported(detail)),
-      best.status === 'minimum' &&
-        h(
-          'p',
-          {},
-          h('strong', {}, 'No design has fewer blocks. '),
-          strongest && `The bound “${strongest.name}” proves it: `,
-          detail.reason && reason(detail.reason),
-          detail.reason && '.',
-        ),
-      best.status === 'minimum' && detail.reason && defined(detail.reason, detail.strength),
-      h(
-        'p',
-        {},
-        madeBy(best.construction),
-        best.label && [
-          ', label ',
-          h('a', { class: 'code', href: link('design', { label: best.label }) }, best.label),
-        ],
-        '.',
-      ),
-      h(
-        'p',
-        { class: 'buttons' },
-        h('a', { class: 'button', href: link('design', { ...cell }) }, 'Open the design'),
-        ' ',
-        !frozen &&
-          best.status !== 'minimum' &&
-          h(
-            'a',
-            { class: 'button plain', href: link('search', { ...cell }) },
-            'Search for a better one',
-          ),
-      ),
-    ),
-    figure,
-  );
-}
-
 function bounds(detail: CellDetail): Child[] {
   if (detail.impossible) {
     return []; // The reason stands above.
   }
   return [
-    h('h2', {}, 'Lower bounds'),
+    h('h2', { id: 'lower-bounds', tabindex: -1 }, 'Lower bounds'),
     detail.bounds.length === 0
       ? h('p', {}, detail.reason ? reason(detail.reason) : 'None is known.')
       : scroll(
@@ -328,6 +220,7 @@ function offers(detail: CellDetail): Child[] {
                       { href: link('theorems', { construction: offer.construction }) },
                       offer.construction,
                     ),
+                    h('span', { class: 'hint what', 'data-construction': offer.construction }),
                   ),
                 ),
               ),
@@ -335,6 +228,22 @@ function offers(detail: CellDetail): Child[] {
           ),
         ),
       ];
+}
+
+/** What each construction does, in a phrase. */
+function sayWhat(root: HTMLElement, signal: AbortSignal): void {
+  const places = [...root.querySelectorAll<HTMLElement>('[data-construction]')];
+  if (places.length === 0) {
+    return;
+  }
+  constructions(signal).then(
+    (all) =>
+      places.forEach((place) => {
+        const summary = all.find(({ name }) => name === place.dataset['construction'])?.summary;
+        fill(place, summary ? [' ', ...reason(summary)] : []);
+      }),
+    () => undefined, // The names are links.
+  );
 }
 
 /** The design as a picture, and what its symmetries are. */
@@ -422,6 +331,7 @@ export const cell: Page = {
       'p',
       { class: 'under' },
       short && [
+        `${wanted.kind} `,
         formula(
           `\\mathrm{${short}}(${wanted.v},\\,${wanted.k})`,
           `${short}(${wanted.v}, ${wanted.k})`,
@@ -506,6 +416,8 @@ export const cell: Page = {
       ),
     );
     showAround(wanted, around, view.signal);
+    linkTerms(body);
+    sayWhat(body, view.signal);
     if (!detail.best) {
       return;
     }

@@ -1,7 +1,7 @@
 // One design: its pictures, its blocks, and a player that steps through them.
 import { ApiError, type Design } from '../lib/api';
-import { field, fill, h, scroll, select } from '../lib/dom';
-import { cellOfLabel, designOf, explain, isCell, type Asked } from '../lib/source';
+import { field, fill, h, scroll, select, type Child } from '../lib/dom';
+import { cellOfLabel, designOf, dossierAddress, explain, isCell, type Asked } from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { count, nameOf, setsOf, setWord } from '../lib/words';
@@ -13,7 +13,8 @@ import { byFirst } from '../parts/thumbnail';
 import { tabs, type Tab } from '../parts/tabs';
 import { about, isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
-import { facts } from './design/facts';
+import { chips, facts } from './design/facts';
+import { citation } from './cell/designs';
 import { arrayView } from './design/array';
 import { circleView } from './design/circle';
 import { matrix } from './design/matrix';
@@ -129,6 +130,36 @@ function verified(asked: Asked, design: Design, frozen: boolean): string {
   );
 }
 
+/** How to cite a design of the catalog, and what a paper says of it. */
+function forAPaper(design: Design, frozen: boolean, signal: AbortSignal): Child[] {
+  const { label } = design;
+  if (!label) {
+    return [];
+  }
+  const [button, shown] = citation(label, signal);
+  const page = (format: string, words: string): HTMLElement =>
+    h(
+      'a',
+      {
+        class: 'button plain',
+        href: dossierAddress({ label }, format),
+        target: '_blank',
+        rel: 'noopener',
+      },
+      words,
+    );
+  return [
+    h('h2', {}, 'For a paper'),
+    h(
+      'p',
+      { class: 'buttons' },
+      !frozen && [page('html', 'Write-up'), ' ', page('latex', 'Write-up in LaTeX'), ' '],
+      button,
+    ),
+    shown,
+  ];
+}
+
 /** Where to go from here. */
 function whatNext(design: Design, frozen: boolean): HTMLElement {
   const { v, k, change, kind, strength, verdict } = design;
@@ -229,6 +260,7 @@ export const design: Page = {
     const counted = strength === 2 || sets !== null;
     const symmetry =
       shown.kind === 'circular' && b * shown.k <= mostLooked ? symmetryOf(shown) : null;
+    const symmetries = symmetry ?? (b * shown.k <= mostLooked ? symmetryOf(shown) : null);
     const save = (
       which: 'array' | 'stays' | 'coverage' | 'circle',
       how: () => object,
@@ -488,6 +520,7 @@ export const design: Page = {
           'bounds, history and citation',
         ),
       ),
+      chips(shown, symmetries),
       h('div', { class: 'selected' }, bySelf, notSelected, selected),
       tabs('What to show of the design', all, start, view.signal, (which) =>
         view.go({ show: which }, { quiet: true }),
@@ -506,13 +539,14 @@ export const design: Page = {
             },
             verified(asked, shown, frozen),
           ),
-          scroll('The design in numbers', facts(shown)),
+          scroll('The design in numbers', facts(shown, stays, symmetries, view.signal)),
         ),
         h(
           'div',
           {},
           h('h2', {}, 'Download'),
           downloads(asked, shown, frozen),
+          forAPaper(shown, frozen, view.signal),
           h('h2', {}, 'What next'),
           whatNext(shown, frozen),
         ),

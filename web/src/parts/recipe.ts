@@ -62,7 +62,7 @@ interface Telling {
 /** What a design is made by, without its origin if that is told elsewhere and more follows it. */
 export function told(explanation: string, { labels, withoutOrigin }: Telling = {}): string {
   const text = withoutOrigin
-    ? explanation.replace(/^Written down in the catalog as .*?; \d{4}-\d\d-\d\d\. (?=\S)/, '')
+    ? explanation.replace(/^Written down in the catalog as .*?; \d{4}-\d\d-\d\d\.(?: (?=\S)|$)/, '')
     : explanation;
   return text.replace(/Develop the base blocks? .*? over \d+ copies of/g, (all) =>
     all.replace(/\{(\d+(?:,\d+)*)\}/g, (block, numbers: string) =>
@@ -116,8 +116,7 @@ function node(tree: TreeNode, telling: Telling, depth: number): HTMLElement {
         { href: link('theorems', { construction: tree.construction }) },
         h('strong', {}, tree.construction),
       ),
-      ': ',
-      reason(explanation),
+      ...(explanation === '' ? [', as History says'] : [': ', ...reason(explanation)]),
     ),
     tree.citation &&
       !/^\[(elementary|src\/.*)\]$/.test(tree.citation) &&

@@ -26,7 +26,7 @@ export function madeBy(construction: string): Child[] {
 }
 
 /** A button that shows BibTeX, and where it shows it. */
-function citation(label: string | null, signal: AbortSignal): [HTMLElement, HTMLElement] {
+export function citation(label: string | null, signal: AbortSignal): [HTMLElement, HTMLElement] {
   const shown = h('div', { class: 'bibtex', role: 'status' });
   const button = h(
     'button',
@@ -62,13 +62,19 @@ function citation(label: string | null, signal: AbortSignal): [HTMLElement, HTML
   return [button, shown];
 }
 
-function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLElement {
+/** `best`: it has as few blocks as any that is known; `shown`: it is the one that the page shows. */
+function origin(
+  entry: CatalogEntry,
+  best: boolean,
+  shownHere: boolean,
+  signal: AbortSignal,
+): HTMLElement {
   const { who, date, program, command } = entry.credit;
   const printed = entry.construction === 'printed';
   const [button, shown] = citation(entry.label, signal);
   return h(
     'li',
-    { class: best ? 'origin best' : 'origin' },
+    { class: shownHere ? 'origin best' : 'origin' },
     h(
       'p',
       { class: 'origin-head' },
@@ -76,6 +82,7 @@ function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLEl
       h('strong', {}, count(entry.b, 'block')),
       h('a', { class: 'code', href: link('design', { label: entry.label }) }, entry.label),
       (best || entry.retracted) && badge(entry.status),
+      shownHere && h('span', { class: 'hint' }, 'shown here'),
       button,
     ),
     h(
@@ -111,7 +118,9 @@ export function origins(detail: CellDetail, signal: AbortSignal): Child[] {
     h(
       'ol',
       { class: 'origins', reversed: true },
-      designs.slice(from, to).map((entry, i) => origin(entry, from + i === 0, signal)),
+      designs
+        .slice(from, to)
+        .map((entry) => origin(entry, entry.b === best?.b, entry.label === best?.label, signal)),
     );
   const first = designs.length > mostAtOnce + 1 ? mostAtOnce : designs.length;
   return [

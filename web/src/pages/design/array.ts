@@ -37,8 +37,8 @@ export function arrayView(
     { type: 'button', class: 'plain', onclick: () => go(from + page) },
     'later →',
   );
-  const body = h('table', {
-    class: 'array-table',
+  const body = h('div', {
+    class: 'array-bands',
     onclick: (event) => {
       const cell = (event.target as Element).closest<HTMLElement>('[data-x]');
       if (cell) {
@@ -58,7 +58,9 @@ export function arrayView(
     from = Math.max(1, Math.min(b - page + 1, Math.round(to)));
     draw();
   }
+  let drawnAt = 0;
   function draw(): void {
+    drawnAt = panel.clientWidth;
     start.value = String(from);
     earlier.disabled = from === 1;
     later.disabled = from + page > b;
@@ -71,9 +73,35 @@ export function arrayView(
           column.number === 1 && chosen.design.kind === 'circular' ? fresh(1) : column.entered,
         ),
     );
+    const widest = Math.max(
+      ...columns.flatMap(({ slots }) => [...slots].map((x) => names[x]!.length)),
+    );
+    const width = Math.max(34, 8 * (widest + 1) + 14);
+    body.style.setProperty('--column', `${width}px`);
+    // As many columns a band as fit: nothing scrolls sideways.
+    const fit = Math.max(4, Math.floor(((panel.clientWidth || 320) - 4) / (width + 3)));
+    const bands = Array.from({ length: Math.ceil(columns.length / fit) }, (_, i) =>
+      columns.slice(i * fit, (i + 1) * fit),
+    );
     fill(
       body,
-      h('caption', { class: 'unseen' }, `Blocks ${from} to ${to}`),
+      bands.map((band, n) => table(band, starred.slice(n * fit), lit)),
+    );
+  }
+
+  function table(
+    columns: readonly ReturnType<Steps['step']>[],
+    starred: readonly ReadonlySet<number>[],
+    lit: readonly number[],
+  ): HTMLElement {
+    return h(
+      'table',
+      { class: 'array-table' },
+      h(
+        'caption',
+        { class: 'unseen' },
+        `Blocks ${columns[0]!.number} to ${columns.at(-1)!.number}`,
+      ),
       h(
         'thead',
         {},
@@ -147,4 +175,11 @@ export function arrayView(
     scroll('Array of blocks', body),
   );
   draw();
+  const sizes = new ResizeObserver(() => {
+    if (panel.clientWidth !== drawnAt) {
+      draw();
+    }
+  });
+  sizes.observe(panel);
+  signal.addEventListener('abort', () => sizes.disconnect());
 }

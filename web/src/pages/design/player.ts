@@ -10,11 +10,11 @@ import type { Sets } from './sets';
 import { Steps } from './steps';
 
 const speeds: readonly (readonly [string, string])[] = [
-  ['1', '1 block a second'],
-  ['3', '3 blocks a second'],
-  ['10', '10 blocks a second'],
-  ['30', '30 blocks a second'],
-  ['200', '200 blocks a second'],
+  ['1', '1/s'],
+  ['3', '3/s'],
+  ['10', '10/s'],
+  ['30', '30/s'],
+  ['200', '200/s'],
 ];
 
 /** More new sets than that are not named. */
@@ -395,24 +395,6 @@ function player(steps: Steps, sets: Sets | null, design: Design, options: Option
         ),
       ),
       slider,
-      h(
-        'p',
-        { class: 'speed' },
-        h(
-          'span',
-          { class: 'hint keys' },
-          h('kbd', {}, '←'),
-          ' ',
-          h('kbd', {}, '→'),
-          ' step, ',
-          h('kbd', {}, 'Home'),
-          ' ',
-          h('kbd', {}, 'End'),
-          ', ',
-          h('kbd', {}, 'space'),
-          ' plays',
-        ),
-      ),
       many ? null : slots,
       words,
       metAfter
