@@ -78,6 +78,10 @@ function navigation(current: Page): void {
                         : null,
                 },
                 page.title,
+                // A copy of files has no program behind it.
+                isCopy() &&
+                  page.live &&
+                  h('small', { class: 'needs-program' }, 'needs the program'),
               ),
             ),
           ),

@@ -134,9 +134,15 @@ test('the look-up box understands cells, labels and designs', () => {
     'DCCD(20,5)',
     'circular double-change (20,5)',
     '20.5.2.circular',
+    '20x5',
+    '20 × 5',
+    '20.5.2',
+    '20.5',
+    '20 5 29',
   ]) {
     assert.equal(to(typed), cell, typed);
   }
+  assert.equal(to('88 blocks'), '#/catalog?change=2&kind=circular&blocks=88');
   assert.equal(to('20 5 1 linear'), '#/cell?v=20&k=5&change=1&kind=linear');
   assert.equal(to('SCCD(20,5)'), '#/cell?v=20&k=5&change=1&kind=circular');
   assert.equal(to('v=20 k=5 m=3'), '#/cell?v=20&k=5&change=3&kind=circular');

@@ -240,6 +240,8 @@ async function render(view: View): Promise<void> {
           fill(about_way, fromNothing);
         }
         const nothing = impossible || (best !== null && best.b === bound);
+        start.textContent = nothing ? 'Search all the same' : 'Start';
+        start.classList.toggle('plain', Boolean(nothing));
         fill(
           known,
           h('strong', {}, words),

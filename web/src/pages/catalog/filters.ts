@@ -6,7 +6,7 @@ import { count, number } from '../../lib/words';
 import { statuses } from '../../parts/status';
 import type { View } from '../../shell/router';
 
-const names = ['status', 'by', 'gap', 'tight', 'economical', 'group'] as const;
+const names = ['status', 'by', 'gap', 'blocks', 'tight', 'economical', 'group'] as const;
 
 export interface Filters {
   readonly element: HTMLElement;
@@ -37,6 +37,13 @@ export function filters(view: View, changed: () => void): Filters {
     placeholder: '0',
     onchange: () => set('gap', least.value),
   });
+  const blocks = h('input', {
+    type: 'number',
+    min: 1,
+    value: get('blocks'),
+    placeholder: 'any',
+    onchange: () => set('blocks', blocks.value),
+  });
   const by = h('select', { onchange: () => set('by', by.value) });
   const box = (name: string, words: string, title: string): [HTMLInputElement, HTMLElement] => {
     const input = h('input', {
@@ -61,7 +68,7 @@ export function filters(view: View, changed: () => void): Filters {
       class: 'plain small',
       hidden: true,
       onclick: () => {
-        status.value = least.value = by.value = '';
+        status.value = least.value = blocks.value = by.value = '';
         tight.checked = economical.checked = group.checked = false;
         view.go(Object.fromEntries(names.map((name) => [name, null])), { quiet: true });
         changed();
@@ -89,6 +96,7 @@ export function filters(view: View, changed: () => void): Filters {
     const more = [
       get('group') && 'with a group of order > 1',
       Number(get('gap')) > 0 && `at least ${count(Number(get('gap')), 'block')} over the bound`,
+      get('blocks') && `with ${count(Number(get('blocks')), 'block')}`,
       get('by') && `made by ${get('by')}`,
     ]
       .filter(Boolean)
@@ -103,6 +111,7 @@ export function filters(view: View, changed: () => void): Filters {
         'div',
         { class: 'row' },
         field('Status', status),
+        field('Blocks', blocks),
         field('Gap at least', least),
         field('Construction', by),
         h(
@@ -118,6 +127,7 @@ export function filters(view: View, changed: () => void): Filters {
     ),
     passes() {
       const [is, made, over] = [get('status'), get('by'), Number(get('gap'))];
+      const exactly = get('blocks');
       const [onlyTight, onlyEconomical, onlyGroup] = [
         get('tight'),
         get('economical'),
@@ -126,6 +136,7 @@ export function filters(view: View, changed: () => void): Filters {
       return (cell) =>
         (is === '' || cell.status === is || (is === 'known' && cell.b !== null)) &&
         (made === '' || cell.construction === made) &&
+        (exactly === '' || cell.b === Number(exactly)) &&
         (over <= 0 || (cell.gap ?? -1) >= over) &&
         (onlyTight === '' || cell.tight) &&
         (onlyEconomical === '' || cell.economical) &&

@@ -24,10 +24,21 @@ export function understand(text: string, change: number, kind: Kind): Found {
         rest === '' || rest === '.' ? link('cell', { ...cell }) : link('design', { label: plain }),
     };
   }
+  const blocks = /^(?:b\s*=\s*)?(\d+)\s*(?:blocks?)$|^b\s*=\s*(\d+)$/i.exec(plain);
+  if (blocks) {
+    return { to: link('catalog', { change, kind, blocks: blocks[1] ?? blocks[2] }) };
+  }
+  // The beginning of a label: 20.5.2.
+  const begun = /^(\d+)\.(\d+)(?:\.(\d+)\.?)?$/.exec(plain);
+  if (begun && Number(begun[2]) <= Number(begun[1]) && Number(begun[2]) > 0) {
+    return {
+      to: link('cell', { v: begun[1], k: begun[2], change: begun[3] ?? change, kind }),
+    };
+  }
   if (/(?:^|[\s,(=;])[-−]\s*\d/.test(plain)) {
     return { problem: 'v and k are whole numbers from 1 on, without a sign: write them as 20 5.' };
   }
-  let words = plain.toLowerCase();
+  let words = plain.toLowerCase().replace(/(?<=\d)\s*[x×]\s*(?=\d)/, ' ');
   const wordChange =
     /\b(?:m|change)\s*=?\s*(\d+)/.exec(words)?.[1] ??
     (/\bsingle|\bsccd/.test(words) ? '1' : /\bdouble|\bdccd/.test(words) ? '2' : null);
@@ -52,11 +63,13 @@ export function understand(text: string, change: number, kind: Kind): Found {
           `as ${k} ${v}.`,
       };
     }
+    // A third number is m, or b where no design changes so many elements: 40 6 88.
+    const third = bare.length === 3 && !named[0] ? bare[2]! : null;
     return {
       to: link('cell', {
         v,
         k,
-        change: wordChange ?? (bare.length === 3 && !named[0] ? bare[2] : change),
+        change: wordChange ?? (third !== null && Number(third) <= Number(k) ? third : change),
         kind: wordKind,
       }),
     };
