@@ -174,7 +174,7 @@ test('another change number, kind, strength and range are another table', async 
   );
   await page.getByLabel('v, elements').fill('30..5');
   await page.getByLabel('v, elements').press('Enter');
-  await page.getByRole('alert').filter({ hasText: 'no range' }).waitFor();
+  await page.getByRole('alert').filter({ hasText: 'not a range' }).waitFor();
   assert.equal(params(page).get('kind'), 'linear');
   await page.getByLabel('Covers').selectOption('3');
   await page.locator('table.cells a[href*="strength=3"]').first().waitFor();

@@ -469,3 +469,16 @@ test('why the busiest worker cannot have fewer loads is counted with one load le
     .getByText(/With room for 15: one of 4 workers .* and with 43 loads it brings at most \d+/)
     .waitFor();
 });
+
+test('workers are seen below each other, and an open gap is searched by one press', async (explorer) => {
+  const page = await explorer.open('#/loadorder?items=12&room=4&workers=3');
+  await page.getByRole('combobox', { name: 'Worker', exact: true }).selectOption('all');
+  await page.locator('.timeline-canvas').nth(2).waitFor();
+  assert.equal(await page.locator('.timeline-canvas').count(), 3);
+  const wide = await explorer.open('#/loadorder?items=6&room=9');
+  await wide.getByText('Room for 9 is more than all 6 items').waitFor();
+  const open = await explorer.open('#/loadorder?items=30&room=6&workers=3');
+  await open.getByRole('button', { name: 'Search 10 seconds for fewer' }).click();
+  await open.getByText('Searched for 10 s for fewer loads').waitFor({ timeout: 60_000 });
+  await open.waitForURL(/time=10/);
+});

@@ -114,7 +114,7 @@ async function render(view: View): Promise<void> {
       h(
         'div',
         { class: 'columns loadorder-parts loadorder-head' },
-        headline(answer, asked),
+        headline(answer, asked, (seconds) => (form.searchFor(seconds), void run(true))),
         shares(answer, asked) ?? levels(answer, asked) ?? comparison(answer, asked),
       ),
       asked.workers > 1 && levels(answer, asked),

@@ -179,6 +179,14 @@ async function render(view: View): Promise<void> {
     { type: 'submit', class: 'always', disabled: hindered !== null },
     'Start',
   );
+  /** Whether there is nothing to find. A proof of that can be made all the same. */
+  let settled = false;
+  function nameStart(): void {
+    const idle = settled && way.value !== 'exact';
+    start.textContent = idle ? 'Search all the same' : 'Start';
+    start.classList.toggle('plain', idle);
+  }
+  way.addEventListener('change', nameStart);
   const known = h('p', { class: 'hint search-known', role: 'status' });
   const fault = h('div', {});
   const stream = h('p', { class: 'hint stream', role: 'status' });
@@ -240,8 +248,8 @@ async function render(view: View): Promise<void> {
           fill(about_way, fromNothing);
         }
         const nothing = impossible || (best !== null && best.b === bound);
-        start.textContent = nothing ? 'Search all the same' : 'Start';
-        start.classList.toggle('plain', Boolean(nothing));
+        settled = Boolean(nothing);
+        nameStart();
         fill(
           known,
           h('strong', {}, words),

@@ -25,6 +25,8 @@ export interface LoadForm {
   read(): Asked;
   /** What the link says of it. */
   linked(asked: Asked): Promise<Record<string, string | number | null>>;
+  /** Writes how long is searched, one of the times that are offered. */
+  searchFor(seconds: number): void;
 }
 
 const lines = (text: string): number =>
@@ -289,5 +291,8 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
       groups.map((every) => every.element),
     ),
   );
-  return { element, go, read, linked };
+  const searchFor = (seconds: number): void => {
+    time.value = String(seconds);
+  };
+  return { element, go, read, linked, searchFor };
 }

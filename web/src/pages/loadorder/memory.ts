@@ -11,6 +11,10 @@ import type { Asked } from './order';
 /** More than this is not drawn: items, and items in memory over all steps. */
 const mostItems = 3000;
 const mostHeld = 3_000_000;
+/** So many workers are drawn below each other. */
+const mostWorkers = 8;
+/** All of them, in the choice of one. */
+const every = 'all';
 
 class Picked extends Choice {
   constructor(private readonly names: readonly string[]) {
@@ -151,15 +155,35 @@ export function memory(
   const show = (): void => {
     leaving.abort();
     leaving = new AbortController();
+    const fast = level.value === 'fast';
+    if (whose.value === every) {
+      fill(
+        place,
+        workers.map((worker) =>
+          h(
+            'section',
+            { 'aria-label': `Worker ${worker}` },
+            h('h3', {}, `Worker ${worker}`),
+            drawn(answer, worker, fast, leaving.signal),
+          ),
+        ),
+      );
+      return;
+    }
     const worker = workers.length > 1 ? Number(whose.value) : workers[0];
-    fill(place, drawn(answer, worker, level.value === 'fast', leaving.signal));
+    fill(place, drawn(answer, worker, fast, leaving.signal));
   };
   const whose = select(
     String(workers[0] ?? ''),
-    workers.map((worker) => [String(worker), String(worker)] as const),
+    [
+      ...workers.map((worker) => [String(worker), String(worker)] as const),
+      ...(workers.length <= mostWorkers ? [[every, 'all'] as const] : []),
+    ],
     (worker) => {
       show();
-      chosen(Number(worker));
+      if (worker !== every) {
+        chosen(Number(worker));
+      }
     },
   );
   const level = select(

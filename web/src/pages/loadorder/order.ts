@@ -151,7 +151,12 @@ function reasons(answer: Ordered): [of: string, why: string][] {
   return found.flatMap(([of, why]): [string, string][] => (why === undefined ? [] : [[of, why]]));
 }
 
-export function headline(answer: Ordered, asked: Asked): HTMLElement {
+/** `search` looks for fewer loads for so many seconds. */
+export function headline(
+  answer: Ordered,
+  asked: Asked,
+  search: (seconds: number) => void,
+): HTMLElement {
   const { order } = answer;
   const pairs = answer.pairs / (order.epochs ?? 1);
   const { loads, makespan, workers } = order;
@@ -213,7 +218,27 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
           'The time was up before everything was tried: this is the best order so far. The ' +
             'command line has no such limit.',
         )
-      : asked.seconds > 0 && h('p', {}, `Searched for ${asked.seconds} s for fewer loads.`),
+      : asked.seconds > 0
+        ? h('p', {}, `Searched for ${asked.seconds} s for fewer loads.`)
+        : asked.sizes === null &&
+          (shared ? makespan > spanBound : loads > bounds.loads) &&
+          h(
+            'p',
+            {},
+            h(
+              'button',
+              { type: 'button', class: 'plain', onclick: () => search(10) },
+              'Search 10 seconds for fewer',
+            ),
+          ),
+    asked.sizes === null &&
+      asked.room > order.items &&
+      h(
+        'p',
+        { class: 'hint' },
+        `Room for ${number(asked.room)} is more than all ${count(order.items, 'item')}: some of it ` +
+          'stays empty.',
+      ),
     h('p', { class: 'hint' }, 'An independent checker read every step and counted every pair.'),
     h(
       'details',

@@ -131,9 +131,11 @@ export function timeStrip(outcome: Outcome, go: (test: number) => void): Strip |
       h(
         'div',
         { class: 'axis', 'aria-hidden': 'true' },
-        ticks(end, day).map(({ at, text, day: begins }) =>
-          placed(h('span', { class: begins ? 'tick day' : 'tick' }, text), at),
-        ),
+        ticks(end, day)
+          .filter(({ at }) => at < 0.97 * end) // A last one would stand outside.
+          .map(({ at, text, day: begins }) =>
+            placed(h('span', { class: begins ? 'tick day' : 'tick' }, text), at),
+          ),
       ),
     ]),
   );
