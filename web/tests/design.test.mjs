@@ -1,9 +1,10 @@
 // A design: pictures, the player, facts, downloads.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { look, settled } from './support/browser.mjs';
+import { look, program, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 import { test } from './support/tests.mjs';
 
@@ -418,4 +419,48 @@ test('squares of a selected pair keep their colour', async (explorer) => {
       getComputedStyle(document.documentElement).getPropertyValue('--mark'),
     ]);
   assert.notEqual(colours[0], 'rgb(214, 0, 108)', colours[1]);
+});
+
+test('what a researcher asks of a design, how to cite it, and its write-up', async (explorer) => {
+  const page = await explorer.open('#/design?v=40&k=6&change=2&kind=circular');
+  const fact = (name) =>
+    page.locator('.fact-table tr', { has: page.locator('th', { hasText: name }) }).locator('td');
+  const cell = ['40', '6', '--change', '2', '--circular'];
+  const text = execFileSync(program, ['design', ...cell, '--format', 'text']);
+  const verified = JSON.parse(execFileSync(program, ['verify', '--json', '-'], { input: text }));
+  const { excess } = verified.details;
+  await page.waitForFunction(() => !/…$/.test(document.querySelector('.fact-table').innerText));
+  assert.match(await fact('excess').innerText(), new RegExp(`^${excess}: newly covered again `));
+  assert.equal(await fact('group').innerText(), 'order 1');
+  const stays = verified.details.elements.map(({ introductions }) => introductions);
+  const said = [...new Set(stays)]
+    .sort((one, other) => one - other)
+    .map((n) => `${stays.filter((each) => each === n).length} elements with ${n}`);
+  assert.equal(await fact(/^stays/).innerText(), said.join(', '));
+  assert.match(
+    await fact('unchanged subsets').innerText(),
+    new RegExp(`^${verified.details.unchanged_subsets} different`),
+  );
+  const label = (await page.locator('.under .code').innerText()).trim();
+  assert.ok((await fact('SHA-256').innerText()).startsWith(label.split('.').at(-1)));
+  await fact('source').getByRole('link', { name: 'concatenate-groups' }).waitFor();
+  assert.match(await fact('date').innerText(), /^\d{4}-\d\d-\d\d$/);
+  await page.locator('.chips', { hasText: '1 over the bound 87' }).waitFor();
+  await page.getByRole('button', { name: `Cite ${label}` }).click();
+  await page.locator('.bibtex pre', { hasText: label }).waitFor();
+  const address = await page
+    .getByRole('link', { name: 'Write-up', exact: true })
+    .getAttribute('href');
+  const answer = await page.request.get(new URL(address, page.url()).href);
+  assert.match(await answer.text(), /A circular DCCD\(40,6\) with 88 blocks/);
+  // The array is as wide as the page, at every width.
+  await page.getByRole('tab', { name: 'Array' }).click();
+  for (const width of [1280, 700, 390]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(200);
+    const over = await page
+      .getByRole('region', { name: 'Array of blocks' })
+      .evaluate((frame) => frame.scrollWidth - frame.clientWidth);
+    assert.ok(over <= 0, `${width}: ${over}`);
+  }
 });

@@ -77,15 +77,18 @@ export function arrayView(
       ...columns.flatMap(({ slots }) => [...slots].map((x) => names[x]!.length)),
     );
     const width = Math.max(34, 8 * (widest + 1) + 14);
-    body.style.setProperty('--column', `${width}px`);
     // As many columns a band as fit: nothing scrolls sideways.
-    const fit = Math.max(4, Math.floor(((panel.clientWidth || 320) - 4) / (width + 3)));
+    const fit = Math.max(4, Math.floor(((panel.clientWidth || 320) - 2) / (width + 2)));
     const bands = Array.from({ length: Math.ceil(columns.length / fit) }, (_, i) =>
       columns.slice(i * fit, (i + 1) * fit),
     );
     fill(
       body,
-      bands.map((band, n) => table(band, starred.slice(n * fit), lit)),
+      bands.map((band, n) => {
+        const shown = table(band, starred.slice(n * fit), lit);
+        shown.style.width = `${band.length * (width + 2) + 2}px`;
+        return shown;
+      }),
     );
   }
 

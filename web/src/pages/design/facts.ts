@@ -54,7 +54,7 @@ function excessOf(design: Design): string | null {
     .slice(0, mostNamed)
     .map(
       ([pair, times]) =>
-        `${name(Math.floor(pair / v))}–${name(pair % v)}${times > 2 ? ` (${times - 1}×)` : ''}`,
+        `${name(Math.floor(pair / v))}–${name(pair % v)}${times > 2 ? `\u00a0(${times - 1}×)` : ''}`,
     );
   const left = again.length - named.length;
   return (
@@ -64,10 +64,14 @@ function excessOf(design: Design): string | null {
 }
 
 /** "3 elements have 2, 17 have 3". */
-function staysOf({ v }: Design, stays: Stays): string {
+function staysOf({ v, kind, blocks }: Design, stays: Stays): string {
   const counts = new Map<number, number>();
   for (let x = 0; x < v; ++x) {
-    const n = stays.of(x).length;
+    const all = stays.of(x);
+    // A stay of a circular design goes on from the last block to the first.
+    const goesOn =
+      kind === 'circular' && all.length > 1 && all[0]![0] === 1 && all.at(-1)![1] === blocks.length;
+    const n = all.length - (goesOn ? 1 : 0);
     counts.set(n, (counts.get(n) ?? 0) + 1);
   }
   const all = [...counts].sort(([one], [other]) => one - other);
