@@ -23,7 +23,7 @@ test('what is missing is said', async (explorer) => {
   await page.getByRole('spinbutton', { name: 'Room' }).fill('5');
   await page.getByRole('textbox', { name: 'Bytes per item' }).fill('2 boxes');
   await page.getByRole('button', { name: 'Find an order' }).click();
-  await page.getByRole('alert').getByText('“2 boxes” is no size').waitFor();
+  await page.getByRole('alert').getByText('“2 boxes” is not a size').waitFor();
   await look(page, 'loadorder-fault');
 });
 

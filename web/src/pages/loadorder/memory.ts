@@ -177,7 +177,7 @@ export function memory(
     String(workers[0] ?? ''),
     [
       ...workers.map((worker) => [String(worker), String(worker)] as const),
-      ...(workers.length <= mostWorkers ? [[every, 'all'] as const] : []),
+      ...(workers.length > 1 && workers.length <= mostWorkers ? [[every, 'all'] as const] : []),
     ],
     (worker) => {
       show();
