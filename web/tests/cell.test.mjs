@@ -209,6 +209,10 @@ test('a dossier is a page with its style, works in words and no line wider than 
     .getByRole('link', { name: /^Theorem 5/ })
     .first()
     .click();
+  // What it says stands below, and its proof is a click away.
+  const quoted = page.locator('section#theorem-5');
+  await quoted.getByText('a lower bound for every list').waitFor();
+  await quoted.getByRole('link', { name: 'Theorem 5', exact: true }).click();
   await page.locator('#theorem-5.chosen').waitFor();
 });
 
