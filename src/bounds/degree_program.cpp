@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "bounds/excess_program.hpp"
 #include "changeover/run/control.hpp"
 
 namespace changeover {
@@ -79,19 +80,16 @@ class Plane {
 };
 
 struct Program {
-  Number n = 0;  // elements that are not in every block
+  Number n = 0;  // elements
   Number i_sum = 0;
   Number r_sum = 0;
   Number r_most = 0;  // r_x ≤ r_most − i_x
-  Number degree = 0;  // i_x(k−1) + m(r_x − i_x) ≥ degree
   Number k = 0;
   Number m = 0;
-  Number fixed = 0;  // elements that are in every block
-  Number cut =
-      0;  // stays that cutting a circular design open adds, but for those of fixed elements
+  Number cut = 0;  // stays that cutting a circular design open adds
 
   [[nodiscard]] Number least_r(Number i) const {
-    return std::max(i, ceil_div_signed(degree - i * (k - 1 - m), m));
+    return std::max(i, ceil_div_signed(n - 1 - i * (k - 1 - m), m));
   }
   [[nodiscard]] bool allowed(Number i) const { return i >= 1 && least_r(i) <= r_most - i; }
 
@@ -137,12 +135,12 @@ struct Program {
     require(weight, r_sum);
     // The inequality of stays. Beyond these s every element counts, and the left side grows more
     // slowly than the right one; before low, no element does.
-    const Number last = std::max(low + m + 1, (n + fixed) / (2 * k) + 1);
-    for (Number s = fixed > 0 ? 1 : low; s <= last; ++s) {
+    const Number last = std::max(low + m + 1, n / (2 * k) + 1);
+    for (Number s = low; s <= last; ++s) {
       for (Number j = 0; j <= m; ++j) {
         at(weight, j) = std::max<Number>(0, s + 1 - low - j);
       }
-      require(weight, (s * s - s + 1) * k - fixed * s + cut);
+      require(weight, (s * s - s + 1) * k + cut);
     }
     return plane.has_point(m > 1 ? n : 0);
   }
@@ -159,25 +157,37 @@ struct Program {
   }
 };
 
+// Numbers with the sums, the degrees and the stays; those of stays for few changes only.
+bool numbers_exist(const Program& program, Number twice_excess) {
+  constexpr Number largest_m_of_stays = 3;
+  return ExcessProgram{.n = program.n,
+                       .k = program.k,
+                       .m = program.m,
+                       .i_sum = program.i_sum,
+                       .twice_excess = twice_excess,
+                       .r_most = program.r_most}
+             .feasible() &&
+         (program.m > largest_m_of_stays || program.feasible());
+}
+
 bool counts_exist(const Parameters& p, Number b) {
-  const auto v = static_cast<Number>(p.v);
-  const auto k = static_cast<Number>(p.k);
   const auto m = static_cast<Number>(p.change);
-  Program program{.n = v, .degree = v - 1, .k = k, .m = m};
-  if (p.kind == Kind::linear) {
-    program.i_sum = k + m * (b - 1);
-    program.r_sum = k * b;
-    program.r_most = b + 1;
-    return program.feasible();
-  }
-  for (Number f = 0; f <= k - m && f < v; ++f) {
-    program.n = v - f;
-    program.i_sum = m * b;
-    program.r_sum = (k - f) * b;
-    program.r_most = b;
-    program.fixed = f;
-    program.cut = k - m - f;
-    if ((f == 0 || m * b >= v - f) && program.feasible()) {
+  const bool linear = p.kind == Kind::linear;
+  const Number most_fixed = linear ? 0 : static_cast<Number>(p.k - p.change);
+  for (Number f = 0; f <= most_fixed; ++f) {
+    // Without the f elements that are in every block, so that no element is.
+    const Number n = static_cast<Number>(p.v) - f;
+    const Number k = static_cast<Number>(p.k) - f;
+    const Program program{.n = n,
+                          .i_sum = linear ? k + m * (b - 1) : m * b,
+                          .r_sum = k * b,
+                          .r_most = linear ? b + 1 : b,
+                          .k = k,
+                          .m = m,
+                          .cut = linear ? 0 : k - m};
+    const Number first = linear ? k * (k - 1) : 0;
+    const Number later = linear ? b - 1 : b;
+    if (numbers_exist(program, first + later * m * (2 * k - m - 1) - n * (n - 1))) {
       return true;
     }
   }
@@ -188,9 +198,8 @@ bool counts_exist(const Parameters& p, Number b) {
 
 std::optional<std::uint64_t> degree_program(const Parameters& p, std::uint64_t from) {
   constexpr std::uint64_t largest_v = 2000;
-  constexpr std::uint64_t largest_m = 3;
   constexpr std::uint64_t most_tries = 10'000;
-  if (p.strength != 2 || p.v == p.k || p.v > largest_v || p.change > largest_m) {
+  if (p.strength != 2 || p.v == p.k || p.v > largest_v || p.change > ExcessProgram::largest_m) {
     return std::nullopt;
   }
   for (std::uint64_t b = from; b <= from + most_tries; ++b) {

@@ -7,6 +7,7 @@
 
 #include "bounds/degree_program.hpp"
 #include "bounds/known_minima.hpp"
+#include "bounds/special_bounds.hpp"
 #include "bounds/stays.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
@@ -192,15 +193,37 @@ bool is_circular_14_5(const Parameters& p) {
   return p.strength == 2 && p.change == 1 && p.kind == Kind::circular && p.k == 5 && p.v == 14;
 }
 
+Bound of_degree_program(const Parameters& p, std::uint64_t b) {
+  constexpr std::uint64_t largest_m_of_stays = 3;
+  return {
+      b, "degree program",
+      fmt::format(
+          "with {0} let x come in i_x >= 1 times and meet others e_x >= 0 times more than it "
+          "must; then e_x >= i_x(k-1)-(v-1), and the difference is a multiple of m = {1}{2}. No "
+          "whole numbers with the right sums{3} do (docs/theorems.md, Theorem 35): b >= {4}",
+          b - 1 == 1 ? "1 block" : fmt::format("{} or fewer blocks", b - 1), p.change,
+          p.kind == Kind::circular ? ", whatever is in every block" : "",
+          p.change > largest_m_of_stays ? "" : " and the stays of Theorem 5", b)};
+}
+
+std::uint64_t largest(const std::vector<Bound>& bounds) {
+  return std::ranges::max_element(bounds, {}, &Bound::blocks)->blocks;
+}
+
+void add_if_larger(std::vector<Bound>& bounds, std::optional<Bound> bound) {
+  if (bound && bound->blocks > largest(bounds)) {
+    bounds.push_back(*std::move(bound));
+  }
+}
+
 }  // namespace
 
 std::vector<Bound> lower_bounds(const Parameters& p) {
   check(p);
-  std::vector<Bound> bounds;
   if (p.v == p.k) {
-    bounds.push_back({1, "trivial", "one block holds all elements"});
-    return bounds;
+    return {{1, "trivial", "one block holds all elements"}};
   }
+  std::vector<Bound> bounds;
   if (p.kind == Kind::circular) {
     circular_bounds(p, bounds);
   } else {
@@ -214,16 +237,12 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
   }
   bounds.push_back(end_to_end(p));
   bounds.push_back(stays(p));
-  const auto largest = std::ranges::max_element(bounds, {}, &Bound::blocks);
-  const std::uint64_t known = largest->blocks;
+  add_if_larger(bounds, returning(p));
+  add_if_larger(bounds, steiner_system(p));
+  const std::uint64_t known = largest(bounds);
   const std::optional<std::uint64_t> program = degree_program(p, known);
   if (program && *program > known) {
-    bounds.push_back(
-        {*program, "degree program",
-         fmt::format(
-             "no whole numbers i_x, r_x have the sums of {} or fewer blocks and "
-             "i_x(k-1) + m(r_x-i_x) >= v-1 = {} for every x and the stays of Theorem 5: b >= {}",
-             *program - 1, p.v - 1, *program)});
+    bounds.push_back(of_degree_program(p, *program));
   }
   if (is_circular_14_5(p)) {
     bounds.push_back({24, "all lists",

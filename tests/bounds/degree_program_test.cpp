@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bounds/degree_program.hpp"
+#include "bounds/excess_program.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "core/checked.hpp"
 #include "oracle_minima.hpp"
@@ -12,10 +13,10 @@
 namespace changeover::degree_program_test {
 namespace {
 
-// The program by brute force: every way to choose i_1 ≤ i_2 ≤ … with the right sum.
+// The program by brute force: every way to choose i_1 ≤ i_2 ≤ … with the right sum, for designs of p
+// in which no element is in every block.
 struct Numbers {
-  std::uint64_t n = 0, r_sum = 0, r_most = 0;
-  std::uint64_t fixed = 0, cut = 0;
+  std::uint64_t r_sum = 0, r_most = 0, cut = 0;
   Parameters p;
 
   [[nodiscard]] bool good(const std::vector<std::uint64_t>& i) const {
@@ -33,7 +34,7 @@ struct Numbers {
       most += r_most - x;
     }
     for (std::uint64_t s = 1; s <= p.v; ++s) {
-      std::uint64_t sum = fixed * s;
+      std::uint64_t sum = 0;
       for (const std::uint64_t x : i) {
         sum += x < s + 1 ? s + 1 - x : 0;
       }
@@ -45,10 +46,10 @@ struct Numbers {
   }
 
   [[nodiscard]] bool exist(std::vector<std::uint64_t>& i, std::uint64_t sum) const {
-    if (i.size() == n) {
+    if (i.size() == p.v) {
       return sum == 0 && good(i);
     }
-    for (std::uint64_t x = i.empty() ? 1 : i.back(); x * (n - i.size()) <= sum; ++x) {
+    for (std::uint64_t x = i.empty() ? 1 : i.back(); x * (p.v - i.size()) <= sum; ++x) {
       i.push_back(x);
       const bool found = exist(i, sum - x);
       i.pop_back();
@@ -60,20 +61,34 @@ struct Numbers {
   }
 };
 
+// The degrees of the pairs that are newly covered too often (excess_program_test.cpp).
+bool excess_exists(const Parameters& p, std::uint64_t b) {
+  const auto pairs = [](std::uint64_t n) { return static_cast<std::int64_t>(n * (n - 1)); };
+  const bool linear = p.kind == Kind::linear;
+  const std::int64_t each = pairs(p.k) - pairs(p.k - p.change);
+  const auto blocks = static_cast<std::int64_t>(b);
+  return ExcessProgram{
+      .n = static_cast<std::int64_t>(p.v),
+      .k = static_cast<std::int64_t>(p.k),
+      .m = static_cast<std::int64_t>(p.change),
+      .i_sum = static_cast<std::int64_t>(p.change * b + (linear ? p.k - p.change : 0)),
+      .twice_excess = each * blocks + (linear ? pairs(p.k) - each : 0) - pairs(p.v),
+      .r_most = blocks + (linear ? 1 : 0)}
+      .feasible();
+}
+
 bool counts_exist(const Parameters& p, std::uint64_t b) {
   std::vector<std::uint64_t> i;
   if (p.kind == Kind::linear) {
-    return Numbers{.n = p.v, .r_sum = p.k * b, .r_most = b + 1, .p = p}.exist(
-        i, p.k + p.change * (b - 1));
+    return excess_exists(p, b) &&
+           Numbers{.r_sum = p.k * b, .r_most = b + 1, .p = p}.exist(i, p.k + p.change * (b - 1));
   }
   for (std::uint64_t f = 0; f + p.change <= p.k; ++f) {
-    const Numbers numbers{.n = p.v - f,
-                          .r_sum = (p.k - f) * b,
-                          .r_most = b,
-                          .fixed = f,
-                          .cut = p.k - p.change - f,
-                          .p = p};
-    if ((f == 0 || p.change * b >= p.v - f) && numbers.exist(i, p.change * b)) {
+    Parameters rest = p;
+    rest.v -= f;
+    rest.k -= f;
+    const Numbers numbers{.r_sum = rest.k * b, .r_most = b, .cut = rest.k - p.change, .p = rest};
+    if (excess_exists(rest, b) && numbers.exist(i, p.change * b)) {
       return true;
     }
   }
@@ -155,8 +170,8 @@ TEST(DegreeProgram, IsTheBruteForceAnswerWhereFixedElementsDecide) {
 TEST(DegreeProgram, IsTriedForPairsFewChangesAndNotTooManyElements) {
   EXPECT_EQ(degree_program({.v = 2000, .k = 1500, .change = 3}, 5000), 5000U);
   EXPECT_FALSE(degree_program({.v = 2001, .k = 1500, .change = 3}, 5000));
-  EXPECT_EQ(degree_program({.v = 30, .k = 9, .change = 3}, 1000), 1000U);
-  EXPECT_FALSE(degree_program({.v = 30, .k = 9, .change = 4}, 1000));
+  EXPECT_EQ(degree_program({.v = 90, .k = 40, .change = 30}, 1000), 1000U);
+  EXPECT_FALSE(degree_program({.v = 90, .k = 40, .change = 31}, 1000));
   EXPECT_FALSE(degree_program({.v = 30, .k = 9, .strength = 3}, 1000));
   EXPECT_FALSE(degree_program({.v = 9, .k = 9}, 1000));
 }

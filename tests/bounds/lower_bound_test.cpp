@@ -304,8 +304,34 @@ TEST(LowerBound, WritesEachReasonWithItsNumbers) {
             stays("5*n1 + 4*n2 + ... + n5", "21k = 63", "6v - 21k = 117: b >= 58"));
   EXPECT_EQ(
       reason_named(circular(10, 3, 3), "degree program"),
-      "no whole numbers i_x, r_x have the sums of 16 or fewer blocks and i_x(k-1) + m(r_x-i_x) >= "
-      "v-1 = 9 for every x and the stays of Theorem 5: b >= 17");
+      "with 16 or fewer blocks let x come in i_x >= 1 times and meet others e_x >= 0 times more than "
+      "it must; then e_x >= i_x(k-1)-(v-1), and the difference is a multiple of m = 3, whatever is in "
+      "every block. No whole numbers with the right sums and the stays of Theorem 5 do "
+      "(docs/theorems.md, Theorem 35): b >= 17");
+  EXPECT_EQ(
+      reason_named({.v = 12, .k = 6, .change = 4}, "degree program"),
+      "with 5 or fewer blocks let x come in i_x >= 1 times and meet others e_x >= 0 times more than "
+      "it must; then e_x >= i_x(k-1)-(v-1), and the difference is a multiple of m = 4. No whole "
+      "numbers with the right sums do (docs/theorems.md, Theorem 35): b >= 6");
+  EXPECT_EQ(
+      reason_named(circular(9, 4, 4), "returning elements"),
+      "v < k + 2m, so from the third block on at least 2m+k-v = 3 of the 4 entering elements were in "
+      "the block before the last one, with 0 or more that stayed: 3 of the 6 pairs are not new "
+      "(docs/theorems.md, Theorem 36), so 6 + 6 + 3(b-2) >= 36: b >= 10");
+  EXPECT_EQ(
+      reason_named({.v = 13, .k = 4, .change = 4}, "Steiner system"),
+      "with C(13,2) / C(4,2) = 13 blocks every pair is in one block only: a projective plane, where "
+      "any two blocks meet, but consecutive blocks must not (docs/theorems.md, Theorem 37): b >= 14");
+  EXPECT_EQ(
+      reason_named(circular(16, 4, 4), "Steiner system"),
+      "with C(16,2) / C(4,2) = 20 blocks every pair is in one block only: an affine plane, where "
+      "disjoint blocks are parallel, so the list would stay among 4 parallel ones "
+      "(docs/theorems.md, Theorem 37): b >= 21");
+  EXPECT_EQ(
+      reason_named(circular(21, 6, 6), "Steiner system"),
+      "with C(21,2) / C(6,2) = 14 blocks every pair is in one block only: a Steiner system with more "
+      "than one block has at least v = 21 of them (Fisher's inequality) (docs/theorems.md, Theorem "
+      "37): b >= 15");
   EXPECT_EQ(reason_named({.v = 9, .k = 5, .change = 1, .kind = Kind::circular, .strength = 3},
                          "checked proofs"),
             "fewer than 15 blocks are excluded by SAT with checked DRAT proofs, which this command "
@@ -317,6 +343,54 @@ TEST(LowerBound, WritesEachReasonWithItsNumbers) {
             "with 23 blocks each element has one or two stays; a search through all such lists "
             "finds none (docs/theorems.md, Theorem 29): b >= 24");
   EXPECT_EQ(reason_named({.v = 7, .k = 7}, "trivial"), "one block holds all elements");
+}
+
+// Elements that are added to every block make a larger design of as many blocks; a circular design
+// is also a linear one; one of strength t has every smaller strength.
+TEST(LowerBound, IsNotBelowThatOfADesignThatItMakes) {
+  const auto bound = [](Parameters p, std::uint64_t added) {
+    p.v += added;
+    p.k += added;
+    return lower_bound(p).blocks;
+  };
+  for (std::uint32_t t = 2; t <= 3; ++t) {
+    for (std::uint64_t m = 1; m <= 6; ++m) {
+      for (std::uint64_t k = std::max<std::uint64_t>(m, t); k <= 12; ++k) {
+        for (std::uint64_t v = k + m; v <= 26; ++v) {
+          Parameters p{.v = v, .k = k, .change = m, .strength = t};
+          if (k < 2 || impossibility(p)) {
+            continue;
+          }
+          const std::uint64_t linear = lower_bound(p).blocks;
+          p.kind = Kind::circular;
+          const std::uint64_t circular = lower_bound(p).blocks;
+          EXPECT_LE(linear, circular) << name(p);
+          for (std::uint64_t f = 1; f <= 3; ++f) {
+            EXPECT_LE(bound(p, f), circular) << name(p) << " and " << f;
+            EXPECT_LE(bound(p.as(Kind::linear), f), linear) << name(p) << " and " << f;
+          }
+          p.strength = 2;
+          EXPECT_LE(lower_bound(p).blocks, circular) << name(p);
+        }
+      }
+    }
+  }
+}
+
+TEST(LowerBound, OfLargeChangesIsWhatIsProved) {
+  const auto both = [](std::uint64_t v, std::uint64_t k, std::uint64_t m) {
+    const Parameters p{.v = v, .k = k, .change = m};
+    return std::pair(lower_bound(p).blocks, lower_bound(p.as(Kind::circular)).blocks);
+  };
+  using Pair = std::pair<std::uint64_t, std::uint64_t>;
+  EXPECT_EQ(both(12, 6, 4), Pair(6, 6));
+  EXPECT_EQ(both(13, 6, 4), Pair(7, 7));
+  EXPECT_EQ(both(18, 8, 4), Pair(8, 8));
+  EXPECT_EQ(both(13, 4, 4), Pair(14, 14));
+  EXPECT_EQ(both(16, 4, 4), Pair(21, 21));
+  EXPECT_EQ(both(13, 7, 6).first, 8U);
+  EXPECT_EQ(both(9, 4, 4).second, 10U);
+  EXPECT_EQ(both(25, 5, 2).second, 44U);  // one pair too much has two odd degrees
 }
 
 TEST(LowerBound, SaysNothingMoreWhereOneBlockIsAll) {

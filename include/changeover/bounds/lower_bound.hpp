@@ -18,10 +18,15 @@
 //   stays     b ≥ ⌈((s+1)v − (s²−s+2)k)/m⌉ + 1 for every s ≥ 1: 2(v−k), 3v−4k, 4v−8k, …
 //             introductions after the first block [docs/theorems.md, Theorem 5]; for strength t
 //             also b ≥ ⌈t(v−k)/m⌉ + 1.
-//   degree program  the least b for which whole numbers i_x, r_x with the right sums satisfy
-//             i_x(k−1) + m(r_x − i_x) ≥ v − 1 at every x and the inequality of stays for every s
-//             (m ≤ 3, v ≤ 2000); for k = 3, m = 2 this is ⌈v/3·⌈(v−1)/2⌉⌉, the covering bound of
-//             Fort and Hedlund.
+//   degree program  the least b for which whole numbers i_x, e_x with the right sums satisfy
+//             i_x(k−1) + m(r_x − i_x) = v − 1 + e_x at every x, no e_x is more than half of their
+//             sum, and for m ≤ 3 the inequality of stays holds for every s (m ≤ 30, v ≤ 2000)
+//             [docs/theorems.md, Theorem 35]; for k = 3, m = 2 this is ⌈v/3·⌈(v−1)/2⌉⌉, the covering
+//             bound of Fort and Hedlund.
+//   returning elements  for v < k + 2m some of the elements that enter were there two blocks before
+//             [docs/theorems.md, Theorem 36].
+//   Steiner system  for m ≥ k − 1, where C(v,2) / C(k,2) blocks would be a plane in an order that
+//             there is not, or fewer than v blocks [docs/theorems.md, Theorem 37].
 //   checked proofs  for some small parameters fewer blocks were excluded by SAT, each number of
 //             blocks with a DRAT proof that was checked; the reason names the command that writes
 //             the proofs again. This bound and the next are not proofs on paper.
@@ -30,6 +35,9 @@
 //   end to end  b ≥ 2⌈(v−k)/m⌉ + 1: with p = ⌈(v−k)/m⌉, some x is in none of the first p blocks and
 //             some y in none of the last p, so b ≤ 2p would leave {x,y} uncovered. For strength t
 //             likewise b ≥ tp + 1 [docs/theorems.md, Theorem 7].
+//
+// Elements that are added to every block make a (v+f, k+f) design, and a blow-up one for s·m; the
+// bounds for those never said more than these where it was looked at, so they are not asked.
 //
 // Deliberately not done here: the search.
 #pragma once
@@ -46,7 +54,8 @@ namespace changeover {
 struct Bound {
   std::uint64_t blocks = 0;
   std::string name;    ///< "counting", "degree", "degree program", "end to end", "stays",
-                       ///< "checked proofs", "all lists", "trivial"
+                       ///< "returning elements", "Steiner system", "checked proofs", "all lists",
+                       ///< "trivial"
   std::string reason;  ///< one line of plain mathematics with the numbers filled in
 
   bool operator==(const Bound&) const = default;
