@@ -103,7 +103,7 @@ class KnownDesigns::Cell {
       if (!alone_) {
         from_other_change_numbers();
       }
-      fix(level_);
+      fix();
       return best_;
     }
     if (level_ == 2 && !alone_) {
@@ -112,7 +112,7 @@ class KnownDesigns::Cell {
     if (level_ == 2 && !alone_) {
       concatenate_groups();
     }
-    fix(level_ - 1);
+    fix();
     unfix();
     take_away();
     expand();
@@ -240,9 +240,12 @@ class KnownDesigns::Cell {
     }
   }
 
-  void fix(unsigned level) {
+  // Of the smaller design as good as it gets, so that one that is best there is here, too.
+  void fix() {
     if (p_.k > 2) {
-      if (const Ptr source = useful(with(p_, p_.v - 1, p_.k - 1), level, 0)) {
+      const Parameters q = with(p_, p_.v - 1, p_.k - 1);
+      const unsigned level = level_ == levels(p_) ? levels(q) : level_;
+      if (const Ptr source = useful(q, level, 0)) {
         take(fixed_once_more(source->offer.recipe), source->offer.b, *source);
       }
     }

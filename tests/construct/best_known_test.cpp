@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <map>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
@@ -68,6 +69,36 @@ TEST(Planner, NeverBeatsAKnownMinimumAndSaysMinimumOnlyWhereItIs) {
     }
   }
   EXPECT_GT(met, 60U);
+}
+
+// One more element in every block: no cell needs more blocks than the one before it on its diagonal.
+// The first three ranges hold the cells that come with the catalog, the others are worked out.
+TEST(Planner, NeedsNoMoreBlocksForALargerDesignWithAFixedElement) {
+  std::size_t compared = 0;
+  for (std::uint64_t m = 1; m <= 8; ++m) {
+    const bool stored = m <= 3;
+    const BestKnownTable plan = best_known_table(registry(), {.v_from = 3,
+                                                              .v_to = stored ? 160U : 46U,
+                                                              .k_from = 2,
+                                                              .k_to = stored ? 40U : 23U,
+                                                              .change = m});
+    std::map<Parameters, std::uint64_t> blocks;
+    for (const KnownCell& cell : plan.cells()) {
+      if (cell.best) {
+        blocks[cell.parameters] = cell.best->b;
+      }
+    }
+    for (const auto& [p, b] : blocks) {
+      Parameters larger = p;
+      ++larger.v;
+      ++larger.k;
+      if (const auto found = blocks.find(larger); found != blocks.end()) {
+        EXPECT_LE(found->second, b) << name(larger) << " and " << name(p);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 25'000U);
 }
 
 // Promises a design on 8 elements in three blocks, and does not keep it.
