@@ -4,9 +4,9 @@
 // k − 1 others wherever it is introduced and m at each later block of a stay. With e_x more of
 // these meetings than the v − 1 that there must be,
 //
-//     e_x ≥ 0,   e_x ≥ i_x(k−1) − (v−1),   e_x ≡ i_x(k−1) − (v−1)  (mod m),
+//     e_x = i_x(k−1) − (v−1) + m·s_x ≥ 0,   s_x ≥ 0,
 //
-// and equality in the second if k = m, where nothing stays. The pairs that are newly covered once
+// and s_x = 0 if k = m, where nothing stays; s_x = r_x − i_x. The pairs that are newly covered once
 // more than they must are the edges of a multigraph without loops; e_x is the degree of x. So
 // Σ e_x = 2E, where E is the excess, and no e_x is above E [docs/theorems.md, Theorem 35].
 #pragma once

@@ -59,9 +59,10 @@ const Offers& offers_by_name() {
       ask({46, 4, 2, kind, 2});
       ask({82, 6, 2, kind, 2});
       ask({25, 4, 2, kind, 2});
-      for (std::uint64_t v = 8; v <= 14; ++v) {  // absent-once covers more than pairs
+      for (std::uint64_t v = 8; v <= 14; ++v) {  // some cover more than pairs
         ask({v, v - 2, 2, kind, 3});
         ask({v, v - 1, 1, kind, 4});
+        ask({v, 3, 1, kind, 3});
       }
     }
     return found;
