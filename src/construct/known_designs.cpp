@@ -103,7 +103,7 @@ class KnownDesigns::Cell {
       if (!alone_) {
         from_other_change_numbers();
       }
-      fix();
+      fix(with_one_less(), level_);
       return best_;
     }
     if (level_ == 2 && !alone_) {
@@ -112,7 +112,7 @@ class KnownDesigns::Cell {
     if (level_ == 2 && !alone_) {
       concatenate_groups();
     }
-    fix();
+    fix(with_one_less(), level_ - 1);
     unfix();
     take_away();
     expand();
@@ -121,6 +121,10 @@ class KnownDesigns::Cell {
       const std::uint64_t needed = all_.needed_of(best_);
       take(drop_recipe(best_->offer.recipe), needed, *best_);
     }
+    // Last, so that designs of this cell's own come first: of the smaller design as good as it
+    // gets, so that one that is best there is here, too.
+    const Parameters smaller = with_one_less();
+    fix(smaller, level_ == levels(p_) ? levels(smaller) : level_);
     return best_;
   }
 
@@ -240,12 +244,11 @@ class KnownDesigns::Cell {
     }
   }
 
-  // Of the smaller design as good as it gets, so that one that is best there is here, too.
-  void fix() {
+  [[nodiscard]] Parameters with_one_less() const { return with(p_, p_.v - 1, p_.k - 1); }
+
+  void fix(const Parameters& smaller, unsigned level) {
     if (p_.k > 2) {
-      const Parameters q = with(p_, p_.v - 1, p_.k - 1);
-      const unsigned level = level_ == levels(p_) ? levels(q) : level_;
-      if (const Ptr source = useful(q, level, 0)) {
+      if (const Ptr source = useful(smaller, level, 0)) {
         take(fixed_once_more(source->offer.recipe), source->offer.b, *source);
       }
     }
