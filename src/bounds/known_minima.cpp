@@ -19,22 +19,19 @@ struct Row {
   std::uint64_t k, v, blocks;
 };
 
-constexpr std::array<Row, 58> rows{{
-    {2, 2, Kind::linear, 3, 5, 5},     {2, 2, Kind::linear, 4, 12, 14},
-    {2, 2, Kind::linear, 5, 9, 6},     {2, 2, Kind::linear, 5, 11, 9},
-    {2, 2, Kind::linear, 5, 13, 12},   {2, 2, Kind::linear, 6, 13, 10},
-    {2, 2, Kind::circular, 2, 5, 11},  {2, 2, Kind::circular, 3, 5, 5},
+constexpr std::array<Row, 52> rows{{
+    {2, 2, Kind::linear, 4, 12, 14},   {2, 2, Kind::linear, 5, 9, 6},
+    {2, 2, Kind::linear, 5, 11, 9},    {2, 2, Kind::linear, 5, 13, 12},
+    {2, 2, Kind::linear, 6, 13, 10},   {2, 2, Kind::circular, 2, 5, 11},
     {2, 2, Kind::circular, 7, 14, 10}, {2, 3, Kind::linear, 3, 8, 12},
-    {2, 3, Kind::linear, 3, 9, 14},    {2, 3, Kind::linear, 4, 7, 7},
-    {2, 3, Kind::linear, 4, 9, 8},     {2, 3, Kind::linear, 4, 10, 9},
-    {2, 3, Kind::linear, 5, 8, 5},     {2, 3, Kind::linear, 5, 9, 6},
+    {2, 3, Kind::linear, 3, 9, 14},    {2, 3, Kind::linear, 4, 9, 8},
+    {2, 3, Kind::linear, 4, 10, 9},    {2, 3, Kind::linear, 5, 9, 6},
     {2, 3, Kind::linear, 5, 12, 9},    {2, 3, Kind::linear, 5, 13, 10},
     {2, 3, Kind::linear, 6, 11, 6},    {2, 3, Kind::linear, 6, 14, 9},
     {2, 3, Kind::linear, 7, 13, 6},    {2, 3, Kind::linear, 7, 16, 9},
     {2, 3, Kind::linear, 8, 14, 6},    {2, 3, Kind::circular, 3, 8, 12},
-    {2, 3, Kind::circular, 3, 9, 14},  {2, 3, Kind::circular, 4, 7, 7},
-    {2, 3, Kind::circular, 4, 9, 8},   {2, 3, Kind::circular, 4, 10, 9},
-    {2, 3, Kind::circular, 5, 8, 5},   {2, 3, Kind::circular, 5, 9, 6},
+    {2, 3, Kind::circular, 3, 9, 14},  {2, 3, Kind::circular, 4, 9, 8},
+    {2, 3, Kind::circular, 4, 10, 9},  {2, 3, Kind::circular, 5, 9, 6},
     {2, 3, Kind::circular, 5, 12, 9},  {2, 3, Kind::circular, 5, 13, 10},
     {2, 3, Kind::circular, 6, 11, 6},  {2, 3, Kind::circular, 6, 14, 9},
     {2, 3, Kind::circular, 6, 15, 10}, {2, 3, Kind::circular, 7, 16, 9},

@@ -198,10 +198,11 @@ Bound of_degree_program(const Parameters& p, std::uint64_t b) {
   return {
       b, "degree program",
       fmt::format(
-          "with {0} let x come in i_x >= 1 times and meet others e_x >= 0 times more than it "
-          "must; then e_x >= i_x(k-1)-(v-1), and the difference is a multiple of m = {1}{2}. No "
-          "whole numbers with the right sums{3} do (docs/theorems.md, Theorem 35): b >= {4}",
-          b - 1 == 1 ? "1 block" : fmt::format("{} or fewer blocks", b - 1), p.change,
+          "with {0} let x be introduced i_x >= 1 times, and e_x >= 0 be its new meetings beyond "
+          "v-1; then e_x >= i_x(k-1)-(v-1), the difference is a multiple of m = {1}, e_x is at most "
+          "half of the sum of all, and x fits into the blocks{2}. No whole numbers with the right "
+          "sums{3} do (docs/theorems.md, Theorem 35): b >= {4}",
+          count_of(b - 1, "block"), p.change,
           p.kind == Kind::circular ? ", whatever is in every block" : "",
           p.change > largest_m_of_stays ? "" : " and the stays of Theorem 5", b)};
 }
@@ -239,6 +240,8 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
   bounds.push_back(stays(p));
   add_if_larger(bounds, returning(p));
   add_if_larger(bounds, steiner_system(p));
+  add_if_larger(bounds, complements(p));
+  add_if_larger(bounds, one_left_out(p));
   const std::uint64_t known = largest(bounds);
   const std::optional<std::uint64_t> program = degree_program(p, known);
   if (program && *program > known) {

@@ -1,5 +1,5 @@
-// Bounds for large change numbers: elements that must come back at once, and Steiner systems that no
-// list of blocks with such steps can be.
+// Bounds for large change numbers: elements that must come back at once, Steiner systems that no list
+// of blocks with such steps can be, and two minima, for v = k+m and for v = 2k+1 with m = k.
 #pragma once
 
 #include <optional>
@@ -19,5 +19,13 @@ namespace changeover {
 /// system with fewer blocks than elements [docs/theorems.md, Theorem 37]. nullopt elsewhere.
 /// @throws ImpossibleParameters if a count exceeds 64 bits.
 [[nodiscard]] std::optional<Bound> steiner_system(const Parameters& p);
+
+/// The minimum for strength 2 and v = k + m, m < k: 2⌈m/(k−m)⌉ + 1 [docs/theorems.md, Theorem 39].
+/// nullopt elsewhere.
+[[nodiscard]] std::optional<Bound> complements(const Parameters& p);
+
+/// The minimum for strength 2, m = k ≥ 4 and v = 2k + 1: 2k + 3 linear, 2k + 4 circular
+/// [docs/theorems.md, Theorem 40]. nullopt elsewhere.
+[[nodiscard]] std::optional<Bound> one_left_out(const Parameters& p);
 
 }  // namespace changeover

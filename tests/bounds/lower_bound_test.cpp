@@ -304,19 +304,31 @@ TEST(LowerBound, WritesEachReasonWithItsNumbers) {
             stays("5*n1 + 4*n2 + ... + n5", "21k = 63", "6v - 21k = 117: b >= 58"));
   EXPECT_EQ(
       reason_named(circular(10, 3, 3), "degree program"),
-      "with 16 or fewer blocks let x come in i_x >= 1 times and meet others e_x >= 0 times more than "
-      "it must; then e_x >= i_x(k-1)-(v-1), and the difference is a multiple of m = 3, whatever is in "
-      "every block. No whole numbers with the right sums and the stays of Theorem 5 do "
-      "(docs/theorems.md, Theorem 35): b >= 17");
+      "with 16 blocks let x be introduced i_x >= 1 times, and e_x >= 0 be its new meetings beyond "
+      "v-1; then e_x >= i_x(k-1)-(v-1), the difference is a multiple of m = 3, e_x is at most half of "
+      "the sum of all, and x fits into the blocks, whatever is in every block. No whole numbers with "
+      "the right sums and the stays of Theorem 5 do (docs/theorems.md, Theorem 35): b >= 17");
   EXPECT_EQ(
       reason_named({.v = 12, .k = 6, .change = 4}, "degree program"),
-      "with 5 or fewer blocks let x come in i_x >= 1 times and meet others e_x >= 0 times more than "
-      "it must; then e_x >= i_x(k-1)-(v-1), and the difference is a multiple of m = 4. No whole "
-      "numbers with the right sums do (docs/theorems.md, Theorem 35): b >= 6");
+      "with 5 blocks let x be introduced i_x >= 1 times, and e_x >= 0 be its new meetings beyond "
+      "v-1; then e_x >= i_x(k-1)-(v-1), the difference is a multiple of m = 4, e_x is at most half of "
+      "the sum of all, and x fits into the blocks. No whole numbers with the right sums do "
+      "(docs/theorems.md, Theorem 35): b >= 6");
+  EXPECT_EQ(
+      reason_named({.v = 9, .k = 5, .change = 4}, "complements"),
+      "v = k+m, so the sets of m = 4 elements outside consecutive blocks are disjoint, and from "
+      "each block to the next but one at most k-m = 1 of them change. Blocks 1, 3, 5, … or 2, "
+      "4, 6, … must have no element outside in common, or two elements never meet "
+      "(docs/theorems.md, Theorem 39): b >= 2*ceil(4 / 1) + 1 = 9");
+  EXPECT_EQ(
+      reason_named(circular(9, 4, 4), "one left out"),
+      "each step leaves out one element, and only such an element goes from blocks 1, 3, 5, … "
+      "to blocks 2, 4, 6, … or back; with fewer blocks two elements never meet "
+      "(docs/theorems.md, Theorem 40): b >= 2k + 4 = 12");
   EXPECT_EQ(
       reason_named(circular(9, 4, 4), "returning elements"),
       "v < k + 2m, so from the third block on at least 2m+k-v = 3 of the 4 entering elements were in "
-      "the block before the last one, with 0 or more that stayed: 3 of the 6 pairs are not new "
+      "the block before the last one: 3 of the 6 pairs are not new "
       "(docs/theorems.md, Theorem 36), so 6 + 6 + 3(b-2) >= 36: b >= 10");
   EXPECT_EQ(
       reason_named({.v = 13, .k = 4, .change = 4}, "Steiner system"),
@@ -388,8 +400,8 @@ TEST(LowerBound, OfLargeChangesIsWhatIsProved) {
   EXPECT_EQ(both(18, 8, 4), Pair(8, 8));
   EXPECT_EQ(both(13, 4, 4), Pair(14, 14));
   EXPECT_EQ(both(16, 4, 4), Pair(21, 21));
-  EXPECT_EQ(both(13, 7, 6).first, 8U);
-  EXPECT_EQ(both(9, 4, 4).second, 10U);
+  EXPECT_EQ(both(13, 7, 6), Pair(13, 13));
+  EXPECT_EQ(both(9, 4, 4), Pair(11, 12));
   EXPECT_EQ(both(25, 5, 2).second, 44U);  // one pair too much has two odd degrees
 }
 

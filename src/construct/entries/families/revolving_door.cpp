@@ -89,6 +89,7 @@ constexpr Description description{
     .summary = "all blocks that there are, each once, consecutive ones differ in one element",
     .preconditions = "m = 1, strength t = k >= 3, v <= 2^16",
     .guarantee = "a minimum design of C(v,k) blocks, linear and circular",
+    .place = "docs/theorems.md, Theorem 38",
 };
 
 class RevolvingDoor final : public Described<Family, description> {

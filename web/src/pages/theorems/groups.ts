@@ -44,6 +44,9 @@ export const groups: readonly (readonly [heading: string, entries: readonly Entr
     'Every change number',
     [
       ['7', 'The minimum for small v', 'minimum'],
+      ['38', 'All k-subsets in revolving-door order', 'construction', 'minimum'],
+      ['39', 'The minimum for v = k+m', 'minimum'],
+      ['40', 'The minimum for v = 2k+1, m = k', 'minimum'],
       ['9', 'Carriers beside cyclic designs', 'construction'],
       ['15', 'Concatenation with groups', 'construction'],
     ],
@@ -52,6 +55,9 @@ export const groups: readonly (readonly [heading: string, entries: readonly Entr
     'Lower bounds',
     [
       ['5', 'Stays', 'bound'],
+      ['35', 'Residues of degrees', 'bound'],
+      ['36', 'Returning elements', 'bound'],
+      ['37', 'No Steiner systems', 'bound'],
       ['29', 'No circular SCCD(14, 5) has 23 blocks', 'bound'],
     ],
   ],
