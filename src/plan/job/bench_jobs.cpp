@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <ranges>
-#include <set>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -268,13 +268,19 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
 }
 
 void find_names_twice(const std::vector<Bench>& benches, std::vector<std::string>& found) {
-  std::set<std::string> seen;
+  std::map<std::string, std::string> seen;  // sheets are found by names in any case
   for (std::size_t i = 0; i < benches.size(); ++i) {
     const std::string name = name_of(benches, i);
     if (const auto defect = text_defect(name)) {
       found.push_back(fmt::format("the name of bench {}: {}", i + 1, *defect));
-    } else if (!seen.insert(name).second) {
-      found.push_back(fmt::format("two benches are called {}; rename one", name));
+      continue;
+    }
+    const auto [before, is_new] = seen.emplace(lower_case(name), name);
+    if (!is_new) {
+      found.push_back(before->second == name
+                          ? fmt::format("two benches are called {}; rename one", name)
+                          : fmt::format("the benches {} and {} differ only in capitals; rename one",
+                                        before->second, name));
     }
   }
 }

@@ -403,6 +403,9 @@ TEST(BenchStock, DefectsAreSaid) {
   EXPECT_THAT(bench_defects(job, benches), IsEmpty());
   benches[0].name = benches[1].name = "North";
   EXPECT_THAT(bench_defects(job, benches), Contains("two benches are called North; rename one"));
+  benches[1].name = "NORTH";  // their sheets could not be told apart
+  EXPECT_THAT(bench_defects(job, benches),
+              Contains("the benches North and NORTH differ only in capitals; rename one"));
   benches[1].name = "";
   benches[1].without = {2};
   benches[0].without = {2};
