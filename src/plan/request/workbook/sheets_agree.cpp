@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <ranges>
+#include <set>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -271,21 +273,37 @@ void make_agree(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<D
 
 void note_lost_steps(const std::string& book, std::uint64_t last_step,
                      const std::vector<DoneList>& lists, std::vector<std::string>& notes) {
-  std::optional<std::uint64_t> least;
+  std::set<std::uint64_t> there;
   for (const DoneList& list : lists) {
     for (const DoneRow& row : list.rows) {
-      least = row.step ? std::min(least.value_or(*row.step), *row.step) : least;
+      if (row.step && *row.step > last_step) {
+        there.insert(*row.step);
+      }
     }
   }
-  const std::uint64_t begin = last_step + 1;
-  if (!least || *least <= begin) {
+  std::vector<std::string> gaps;
+  std::uint64_t lost = 0;
+  std::uint64_t next = last_step + 1;
+  for (const std::uint64_t step : there) {
+    if (step > next) {
+      gaps.push_back(step == next + 1 ? fmt::format("{}", next)
+                                      : fmt::format("{} to {}", next, step - 1));
+      lost += step - next;
+    }
+    next = step + 1;
+  }
+  if (gaps.empty()) {
     return;
   }
-  const bool is_one = *least == begin + 1;
-  notes.push_back(fmt::format(
-      "{}: no sheet has tests with {}; if {} done, put {} back", book,
-      is_one ? fmt::format("step {}", begin) : fmt::format("steps {} to {}", begin, *least - 1),
-      is_one ? "it was" : "they were", is_one ? "it" : "them"));
+  constexpr std::size_t few = 10;
+  std::string steps = joined(gaps | std::views::take(few));
+  if (gaps.size() > few) {
+    steps += fmt::format(" and {} more", count_of(gaps.size() - few, "place"));
+  }
+  const bool is_one = lost == 1;
+  notes.push_back(fmt::format("{}: no sheet has tests with {} {}; if {} done, put {} back", book,
+                              is_one ? "step" : "steps", steps, is_one ? "it was" : "they were",
+                              is_one ? "it" : "them"));
 }
 
 }  // namespace changeover

@@ -23,7 +23,8 @@ namespace changeover {
 void make_agree(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<DoneList>& lists,
                 std::vector<std::string>& notes);
 
-/// A note where no list has the steps of one bench that follow this one, but later steps are there.
+/// A note where no list has some steps of one bench that follow this one, but later steps: their
+/// rows were deleted, and what they had done is planned again. O(rows · log rows)
 void note_lost_steps(const std::string& book, std::uint64_t last_step,
                      const std::vector<DoneList>& lists, std::vector<std::string>& notes);
 

@@ -114,6 +114,25 @@ TEST(SheetsAgree, StepsThatNoSheetHasAreNoted) {
               ElementsAre("b.xlsx: no sheet has tests with steps 1 to 3; if they were done, put "
                           "them back",
                           "b.xlsx: no sheet has tests with step 3; if it was done, put it back"));
+  // A row that was deleted in between, and many of them.
+  Sheets some(
+      Named{{"Run sheet", ",1,A,B,pass\n,3,A,C,pass\n"}, {"Tue", ",7,A,D,\n,6,B,D,pass\n"}});
+  note_lost_steps("b.xlsx", 0, some.lists, some.notes);
+  note_lost_steps("b.xlsx", 3, some.lists, some.notes);
+  note_lost_steps("b.xlsx", 5, some.lists, some.notes);
+  EXPECT_THAT(some.notes,
+              ElementsAre("b.xlsx: no sheet has tests with steps 2, 4 to 5; if they were done, put "
+                          "them back",
+                          "b.xlsx: no sheet has tests with steps 4 to 5; if they were done, put "
+                          "them back"));
+  std::string rows;
+  for (int step = 2; step <= 30; step += 2) {
+    rows += "," + std::to_string(step) + ",A,B,pass\n";
+  }
+  Sheets odd(Named{{"Run sheet", rows}});
+  note_lost_steps("b.xlsx", 0, odd.lists, odd.notes);
+  EXPECT_THAT(odd.notes, ElementsAre(HasSubstr("steps 1, 3, 5, 7, 9, 11, 13, 15, 17, 19 and 5 "
+                                               "places more; if they were")));
 }
 
 TEST(SheetsAgree, TestsWithoutANumberThatAreAlikeCountAndAreNoted) {
