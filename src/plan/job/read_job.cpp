@@ -272,6 +272,8 @@ class SetupReader {
       check_parameters();
       if (forgiving_ && !reader_.is_given()) {
         gone_parameters_.find(header_, finder_, reader_, columns_);
+      } else if (!reader_.is_given()) {
+        note_unread_columns(header_, finder_, reader_, columns_, list_.notes);
       }
       list_.places = places_of(columns_, header_, finder_);
       other_results_.find(header_, columns_);

@@ -35,6 +35,9 @@ void check_mounted_left(const Bench& bench, const std::string& name, const std::
 // The first set-ups of a model. None can have a value that is left out from now on.
 std::vector<Block> first_of_model(Input& input, const OldListOptions& options, const Job& job) {
   DoneList list = read_first_list(input, *options.all_values, job.at_once);
+  if (options.notes != nullptr) {
+    options.notes->insert(options.notes->end(), list.notes.begin(), list.notes.end());
+  }
   for (DoneRow& row : list.rows) {
     for (const Element x : row.setup) {
       if ((*options.left)(Block{x}).empty()) {

@@ -51,6 +51,15 @@ std::optional<std::string> misspelled(const std::string& name,
                  : std::nullopt;
 }
 
+void refuse_a_slip(const Field& head, const std::string& name,
+                   const std::vector<std::string>& parameters, const RowReader& reader) {
+  if (const auto meant = misspelled(name, parameters)) {
+    reader.fail(head, fmt::format("no parameter is called {}; did you mean {}? if it is "
+                                  "another one, rename the column",
+                                  shown(name), shown(*meant)));
+  }
+}
+
 }  // namespace
 
 void GoneParameters::find(const Row& header, const PartFinder& finder, const RowReader& reader,
@@ -73,11 +82,7 @@ void GoneParameters::find(const Row& header, const PartFinder& finder, const Row
         own_head_meant(heads[i]) != nullptr) {
       continue;
     }
-    if (const auto meant = misspelled(name, others)) {
-      reader.fail(header[i], fmt::format("no parameter is called {}; did you mean {}? if it is "
-                                         "another one, rename the column",
-                                         shown(name), shown(*meant)));
-    }
+    refuse_a_slip(header[i], name, others, reader);
     const auto at = std::ranges::lower_bound(columns.slots, i) - columns.slots.begin();
     columns.slots.insert(columns.slots.begin() + at, i);
     columns.parameters.insert(columns.parameters.begin() + at, SetupColumns::gone);
@@ -109,6 +114,27 @@ void GoneParameters::say(const RowReader& reader, DoneList& list) const {
     list.notes.push_back(
         fmt::format("{}: the parameter {} is no longer in the model, so its column is not read{}",
                     reader.place(*column.head), shown(parameter_in(column.head->text)), instead));
+  }
+}
+
+void note_unread_columns(const Row& header, const PartFinder& finder, const RowReader& reader,
+                         const SetupColumns& columns, std::vector<std::string>& notes) {
+  if (columns.parameters.empty()) {
+    return;
+  }
+  const std::vector<std::string> others =
+      parameters_without_column(columns, finder.model()->model());
+  for (std::size_t i = 0; i < header.size() && !others.empty(); ++i) {
+    const std::string name = parameter_in(header[i].text);
+    if (name.empty() || columns.have(i) || own_head_meant(name) != nullptr ||
+        finder.model()->parameter(name)) {
+      continue;
+    }
+    refuse_a_slip(header[i], name, others, reader);
+    notes.push_back(fmt::format(
+        "{}: no parameter is called {}, so its column is not read, and no column has the values "
+        "of {}",
+        reader.place(header[i]), shown(name), joined(others, shown)));
   }
 }
 

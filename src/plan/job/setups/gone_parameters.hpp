@@ -40,4 +40,10 @@ class GoneParameters {
   std::vector<Column> columns_;
 };
 
+/// In a list of set-ups that come first, values may be left open. Notes each column whose head is
+/// neither a parameter nor one that is known, if a parameter has no column.
+/// @throws BadInput with the head if it is such a parameter but for a slip
+void note_unread_columns(const Row& header, const PartFinder& finder, const RowReader& reader,
+                         const SetupColumns& columns, std::vector<std::string>& notes);
+
 }  // namespace changeover

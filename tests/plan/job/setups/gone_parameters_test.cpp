@@ -7,6 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/plan/model.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover::gone_parameters_test {
 namespace {
@@ -89,6 +90,25 @@ TEST(GoneParameters, OneWithTheValuesOfAnotherIsNotedWithIt) {
               ElementsAre("d.csv:1:10: the parameter 'OS' is no longer in the model, so its column "
                           "is not read; if it is 'System', whose values it has, head it so",
                           HasSubstr("no column has the values of 'System'")));
+}
+
+TEST(GoneParameters, InAListOfFirstTestsAHeadThatIsNoneIsRefusedOrNoted) {
+  const Job all = job("OS: Arch, BSD\nBrowser: Edge, Opera\nLang: de, en\n");
+  const auto first = [&](const std::string& text) {
+    return read_list(*input_from_text(text, "f.csv"), all, 3, false);
+  };
+  EXPECT_THAT(first("OS,Tongue,Browser\nArch,de,Edge\n").notes,
+              ElementsAre("f.csv:1:4: no parameter is called 'Tongue', so its column is not read, "
+                          "and no column has the values of 'Lang'"));
+  EXPECT_THAT(first("OS,Browser\nArch,Edge\n").notes, IsEmpty());
+  EXPECT_THAT(first("OS,Browser,Lang,Who\nArch,Edge,de,Ann\n").notes, IsEmpty());
+  try {
+    static_cast<void>(first("OS,Langg,Browser\nArch,de,Edge\n"));
+    ADD_FAILURE();
+  } catch (const BadInput& bad) {
+    EXPECT_THAT(bad.what(), HasSubstr("f.csv:1:4: no parameter is called 'Langg'; did you mean "
+                                      "'Lang'?"));
+  }
 }
 
 TEST(GoneParameters, ColumnsOfTheUserAreNoParameters) {
