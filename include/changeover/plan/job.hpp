@@ -309,6 +309,7 @@ enum class TestResult {
 struct DoneTest {
   Block setup;
   TestResult result = TestResult::done;
+  bool hidden = false;  ///< none of its pairs counts: the error of a value may have hidden them
 };
 
 /// What happens to pairs that met only in tests that did not pass.
@@ -320,8 +321,8 @@ enum class FailedTests {
 /// Like mark_done(), by results. Pairs of a test that passed, was done, or has no known result
 /// (`none`) are no longer needed. Pairs that met only in tests that failed, or have an unread
 /// result, are still needed, unless these tests are trusted; Job::met_only_in_failed has their
-/// number (of triples, if these must meet). Tests that were not run are ignored. @throws and
-/// complexity as mark_done().
+/// number (of triples, if these must meet). Tests that were not run are ignored. Of hidden tests
+/// nothing counts but that they were done, last or not. @throws and complexity as mark_done().
 void mark_tested(Job& job, const std::vector<DoneTest>& tests,
                  FailedTests failed = FailedTests::again);
 
@@ -468,7 +469,9 @@ struct DoneRow {
   std::string notes = {};
   std::string bench = {};  ///< as written; "" for none
   std::uint64_t line = 0;
-  bool lacks = false;                                 ///< whether some of its parts are gone
+  bool lacks = false;  ///< whether some of its parts are gone, or values of parameters that are
+  /// As written, a value that was out of range and is now gone or in range; "" for none.
+  std::string hidden_by = {};
   std::vector<std::optional<Element>> in_place = {};  ///< by place; nullopt: none, or it is gone
   std::vector<std::string> written = {};   ///< the same as written, including parts that are gone
   std::vector<std::string> gone = {};      ///< the names of its parts that are gone

@@ -302,4 +302,9 @@ std::optional<Element> out_of_range(const Job& job, std::span<const Element> set
   return std::nullopt;
 }
 
+bool has_two_out_of_range(const Job& job, std::span<const Element> setup) {
+  return job.model != nullptr &&
+         std::ranges::count_if(setup, [&](Element x) { return job.model->value(x).negative; }) > 1;
+}
+
 }  // namespace changeover

@@ -69,4 +69,8 @@ class ChoiceSolver {
 /// none.
 [[nodiscard]] std::optional<Element> out_of_range(const Job& job, std::span<const Element> setup);
 
+/// Whether two or more values of a set-up are out of range. No plan has such a test, but people
+/// may have run one.
+[[nodiscard]] bool has_two_out_of_range(const Job& job, std::span<const Element> setup);
+
 }  // namespace changeover

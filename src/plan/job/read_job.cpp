@@ -22,6 +22,7 @@
 #include "plan/job/setups/extra_rows.hpp"
 #include "plan/job/setups/first_noted.hpp"
 #include "plan/job/setups/gone_parameters.hpp"
+#include "plan/job/setups/hidden_tests.hpp"
 #include "plan/job/setups/other_results.hpp"
 #include "plan/job/setups/setup_columns.hpp"
 #include "plan/job/setups/setup_list.hpp"
@@ -376,6 +377,7 @@ class SetupReader {
     done.bench = text_in(columns_.bench);
     done.result = text_in(columns_.result);
     if (forgiving_ && columns_.header) {
+      gone_parameters_.look_beside(row, finder_, done);
       done.step = steps_.take(row, columns_, text_in(columns_.step), reader_);
       other_results_.check(row, done, header_, columns_, reader_);
     }
@@ -388,6 +390,9 @@ class SetupReader {
   void take_all(Row& row, DoneRow& done) {
     const bool separated = row.size() > 1;
     split_at_blanks(row, finder_, reader_);
+    for (const Field& field : row) {
+      keep_if_hiding(finder_, field.text, finder_.find(field.text), done);
+    }
     if (forgiving_ && separated && finder_.some_gone(row, reader_, &list_.gone)) {
       leave_out(row, done, [&](const Field& field) { return finder_.may_be_gone(field.text); });
     }
@@ -404,12 +409,14 @@ class SetupReader {
       const std::string text = text_of(slot.text);
       if (columns_.is_gone(c)) {
         gone_parameters_.take(c, text);
+        keep_if_hiding(finder_, text, std::nullopt, done);
         done.written.push_back(text);
         slot.text.clear();
       } else if (c < columns_.parameters.size()) {
         const std::size_t parameter = columns_.parameters[c];
         done.written.emplace_back(finder_.model()->without_parameter(parameter, text));
         name_value(finder_, parameter, text, slot);
+        keep_if_hiding(finder_, text, find_cell(slot.text), done);
       } else {
         done.written.push_back(text);
       }
@@ -428,6 +435,9 @@ class SetupReader {
       parts = split_row(field.text);
     } catch (const BadInput& fault) {
       fail(field, fault.what());
+    }
+    for (const Field& part : parts) {
+      keep_if_hiding(finder_, part.text, find_cell(part.text), done);
     }
     return take_cells(std::move(parts), done, fail);
   }

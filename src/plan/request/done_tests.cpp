@@ -14,8 +14,10 @@
 #include "core/words.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
+#include "plan/job/choices.hpp"
 #include "plan/job/part_finder.hpp"
 #include "plan/job/setups/first_noted.hpp"
+#include "plan/job/setups/hidden_tests.hpp"
 #include "plan/job/setups/setup_list.hpp"
 #include "plan/job/setups/step_numbers.hpp"
 #include "plan/request/asked_benches.hpp"
@@ -77,11 +79,15 @@ void drop_first(const std::vector<Block>& done, std::vector<Block>& first) {
 }
 
 // Renumbers the parts of the set-ups in a list; those that broke are gone.
-void leave_out(const PartsLeft& left, const std::vector<std::string>& names, DoneList& list) {
+void leave_out(const DoneOptions& options, DoneList& list) {
+  const PartsLeft& left = *options.left;
   for (DoneRow& row : list.rows) {
     for (const Element x : row.setup) {
       if (left(Block{x}).empty()) {
-        row.gone.push_back(names[x]);
+        row.gone.push_back(options.names->at(x));
+        if (options.all_values != nullptr && out_of_range(*options.all_values, Block{x})) {
+          row.hidden_by = row.gone.back();
+        }
       }
     }
     row.lacks = !row.gone.empty();
@@ -245,7 +251,7 @@ class DoneTaker {
       list_.notes.push_back(
           name_ + ": its sheets are not in the order of their steps; the tests are taken in it");
     }
-    leave_out(*options_->left, *options_->names, list_);
+    leave_out(*options_, list_);
     note_columns_that_may_lack();
     all_ = list_.rows.size();
     has_results_ = list_.has_results();
@@ -399,7 +405,8 @@ class DoneTaker {
       first_large_ = first_large_.value_or(i);
       ++large_;
     }
-    answer_.done.push_back({row.setup, result});
+    const bool is_hidden = hidden_.take(*job_, row);
+    answer_.done.push_back({row.setup, result, is_hidden});
     record_test(answer_.record, list_.places, row, *job_,
                 bench ? name_of(*benches_, *bench) : row.bench);
     last_ = i;
@@ -410,7 +417,7 @@ class DoneTaker {
     }
     if (result == TestResult::fail && row.lacks) {
       ++failed_with_gone_;  // a removed part may be at fault
-    } else if (result == TestResult::pass || result == TestResult::fail) {
+    } else if ((result == TestResult::pass || result == TestResult::fail) && !is_hidden) {
       answer_.results.push_back({row.setup, result == TestResult::fail});
     } else if (result == TestResult::unread && answer_.unread++ < unread_shown) {
       answer_.first_unread.push_back({row.unread, row.result});
@@ -425,6 +432,9 @@ class DoneTaker {
           "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} "
           "out",
           name_, count_of(failed_with_gone_, "test"), failed_with_gone_ == 1 ? "it" : "them"));
+    }
+    if (std::string note = hidden_.said(name_); !note.empty()) {
+      notes.push_back(std::move(note));
     }
     note_unread(*options_, *words_, answer_);
     if (large_ > 0 && !options_->for_diagnosis) {
@@ -541,6 +551,7 @@ class DoneTaker {
   std::uint64_t large_ = 0;  // tests with more parts than fit now
   std::optional<std::size_t> first_large_;
   bool has_results_ = false;
+  HiddenTests hidden_;
   ReadJob answer_;
 };
 

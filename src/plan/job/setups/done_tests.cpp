@@ -29,7 +29,7 @@ Meetings::Meetings(std::uint64_t parts, bool triples)
       pairs_(parts_ * words_),
       triples_(triples ? parts_ * parts_ * words_ : 0) {}
 
-void Meetings::add(const Job& job, const Block& setup) {
+void Meetings::look_at(const Job& job, const Block& setup) {
   together_.assign(words_, 0);
   for (const Element x : setup) {
     if (x >= parts_) {
@@ -43,13 +43,19 @@ void Meetings::add(const Job& job, const Block& setup) {
     }
     together_[x / 64] |= std::uint64_t{1} << (x % 64);
   }
+}
+
+void Meetings::add(const Job& job, const Block& setup) {
+  look_at(job, setup);
   const auto join = [&](Bits& bits, std::size_t row) {
     for (std::size_t w = 0; w < words_; ++w) {
       bits[row * words_ + w] |= together_[w];
     }
   };
   if (const auto hiding = out_of_range(job, setup)) {
-    add_hidden(setup, *hiding);
+    if (!has_two_out_of_range(job, setup)) {
+      add_hidden(setup, *hiding);
+    }
     return;
   }
   for (const Element x : setup) {
@@ -110,7 +116,8 @@ void mark_tested(Job& job, const std::vector<DoneTest>& tests, FailedTests faile
     if (test.result == TestResult::not_run) {
       continue;
     }
-    (is_in_doubt(test.result) ? in_doubt : sure).add(job, test.setup);
+    Meetings& met = is_in_doubt(test.result) ? in_doubt : sure;
+    test.hidden ? met.look_at(job, test.setup) : met.add(job, test.setup);
     last = &test;
     ++count;
   }

@@ -13,18 +13,23 @@
 #include "core/words.hpp"
 #include "io/write/csv_cell.hpp"
 #include "plan/job/parts/heading_words.hpp"
+#include "plan/job/setups/hidden_tests.hpp"
 
 namespace changeover {
 namespace {
+
+// Whether a head is that of a column which is no parameter.
+bool is_of_the_users_own(const std::string& head) {
+  return own_head_meant(head) != nullptr || heads_results(head) || heads_steps(head) ||
+         heads_occasions(head);
+}
 
 // Where unknown heads are those of parameters: behind what the program writes before them, and
 // before what it writes behind them. Beyond that, columns are of the user's own.
 std::pair<std::size_t, std::size_t> among_parameters(const Heads& heads,
                                                      const SetupColumns& columns) {
   const auto is_other = [&](std::size_t i) {
-    return (columns.have(i) && !contains(columns.slots, i)) ||
-           own_head_meant(heads[i]) != nullptr || heads_results(heads[i]) ||
-           heads_steps(heads[i]) || heads_occasions(heads[i]);
+    return (columns.have(i) && !contains(columns.slots, i)) || is_of_the_users_own(heads[i]);
   };
   std::size_t begin = columns.slots.front();
   for (std::size_t i = begin; i-- > 0;) {
@@ -88,6 +93,15 @@ void GoneParameters::find(const Row& header, const PartFinder& finder, const Row
     columns.parameters.insert(columns.parameters.begin() + at, SetupColumns::gone);
     columns_.push_back({.slot = 0, .head = &header[i], .may_be = may_be});
   }
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    const bool is_known = columns.have(i) || heads[i].empty() || is_of_the_users_own(heads[i]);
+    if (!is_known) {
+      others_.push_back(i);
+      if (i < columns.slots.front() && !heads_row_numbers(heads[i])) {
+        before_.push_back(&header[i]);
+      }
+    }
+  }
   std::size_t next = 0;
   for (std::size_t slot = 0; slot < columns.slots.size(); ++slot) {
     if (columns.is_gone(slot)) {
@@ -104,6 +118,14 @@ void GoneParameters::take(std::size_t slot, const std::string& text) {
   }
 }
 
+void GoneParameters::look_beside(const Row& row, const PartFinder& finder, DoneRow& done) const {
+  for (const std::size_t i : others_) {
+    if (i < row.size()) {
+      keep_if_hiding(finder, row[i].text, std::nullopt, done);
+    }
+  }
+}
+
 void GoneParameters::say(const RowReader& reader, DoneList& list) const {
   for (const Column& column : columns_) {
     std::string instead;
@@ -114,6 +136,12 @@ void GoneParameters::say(const RowReader& reader, DoneList& list) const {
     list.notes.push_back(
         fmt::format("{}: the parameter {} is no longer in the model, so its column is not read{}",
                     reader.place(*column.head), shown(parameter_in(column.head->text)), instead));
+  }
+  for (const Field* const head : before_) {
+    list.notes.push_back(fmt::format(
+        "{}: the column {} is not read; if it is a parameter that the model had, head it {}",
+        reader.place(*head), shown(head->text),
+        shown(fmt::format("slot_{} {}", names_->model().parameters.size() + 1, head->text))));
   }
 }
 

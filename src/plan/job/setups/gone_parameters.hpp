@@ -24,8 +24,12 @@ class GoneParameters {
 
   /// Looks at what is in such a column.
   void take(std::size_t slot, const std::string& text);
+  /// Looks at the columns of a row that have no meaning here: in a list by hand one may be that of a
+  /// parameter, and what is written there as a value out of range may have hidden the rest.
+  void look_beside(const Row& row, const PartFinder& finder, DoneRow& done) const;
 
-  /// Notes each column, and which parameter it may be instead, if all of its values are its own.
+  /// Notes each column, and which parameter it may be instead, if all of its values are its own;
+  /// and columns in front that may be one.
   void say(const RowReader& reader, DoneList& list) const;
 
  private:
@@ -38,6 +42,8 @@ class GoneParameters {
 
   const ModelNames* names_ = nullptr;
   std::vector<Column> columns_;
+  std::vector<std::size_t> others_;   // columns of the user's own, or of a parameter
+  std::vector<const Field*> before_;  // the heads of those in front of all parameters
 };
 
 /// In a list of set-ups that come first, values may be left open. Notes each column whose head is

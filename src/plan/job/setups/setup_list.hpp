@@ -50,9 +50,12 @@ class Meetings {
  public:
   Meetings(std::uint64_t parts, bool triples);
 
-  /// Adds a set-up of any size. @throws BadInput for a repeated or unknown part; nothing is added
-  /// then.
+  /// Adds a set-up of any size: of one with a value out of range its pairs with that, of one with
+  /// two nothing, since either may hide the other. @throws BadInput for a repeated or unknown part;
+  /// nothing is added then.
   void add(const Job& job, const Block& setup);
+  /// Only throws as add() would.
+  void look_at(const Job& job, const Block& setup);
   [[nodiscard]] bool met(Element x, Element y) const { return has(pairs_, x, y); }
   [[nodiscard]] bool met(const Triple& t) const {
     return has(triples_, t[0] * parts_ + t[1], t[2]);
@@ -67,7 +70,7 @@ class Meetings {
 
   std::size_t parts_;
   std::size_t words_;
-  Bits together_;  // of the last set-up
+  Bits together_;  // of the last set-up that was looked at
   Bits pairs_;     // one row per part: the parts that it was with
   Bits triples_;   // one row per pair x, y, at x · parts + y: the parts that it was with
 };

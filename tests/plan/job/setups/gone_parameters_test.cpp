@@ -12,9 +12,11 @@
 namespace changeover::gone_parameters_test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 Job job(const std::string& model) {
   return job_of(read_model(*input_from_text(model, "m.txt")), {}, {});
@@ -108,6 +110,24 @@ TEST(GoneParameters, InAListOfFirstTestsAHeadThatIsNoneIsRefusedOrNoted) {
   } catch (const BadInput& bad) {
     EXPECT_THAT(bad.what(), HasSubstr("f.csv:1:4: no parameter is called 'Langg'; did you mean "
                                       "'Lang'?"));
+  }
+}
+
+TEST(GoneParameters, InAListByHandAColumnInFrontMayBeOne) {
+  const std::string model = "OS: Arch, BSD\nBrowser: Edge, Opera\n";
+  const DoneList list = read(
+      "Lang,OS,Browser,result,Rack\n~xx,Arch,Edge,pass,7\nde,Arch,Edge,pass,~2\n"
+      "de,BSD,Edge,fail,2\n",
+      model);
+  EXPECT_THAT(list.notes,
+              ElementsAre("d.csv:1:1: the column 'Lang' is not read; if it is a parameter "
+                          "that the model had, head it 'slot_3 Lang'"));
+  EXPECT_EQ(list.rows[0].hidden_by, "~xx");
+  EXPECT_EQ(list.rows[1].hidden_by, "~2");
+  EXPECT_EQ(list.rows[2].hidden_by, "");
+  for (const char* head : {"Nr", "Date", "Tester"}) {
+    EXPECT_THAT(read(std::string(head) + ",OS,Browser,result\n1,Arch,Edge,pass\n", model).notes,
+                Not(Contains(HasSubstr("a parameter"))));
   }
 }
 
