@@ -410,6 +410,7 @@ class SetupReader {
       if (columns_.is_gone(c)) {
         gone_parameters_.take(c, text);
         keep_if_hiding(finder_, text, std::nullopt, done);
+        done.lacks = done.lacks || !text.empty();
         done.written.push_back(text);
         slot.text.clear();
       } else if (c < columns_.parameters.size()) {
@@ -461,7 +462,7 @@ class SetupReader {
       done.gone.push_back(text_of(cell.text));
       return true;
     });
-    done.lacks = !done.gone.empty();
+    done.lacks = done.lacks || !done.gone.empty();
   }
 
   // Whether a cell names a part that is gone, which is then listed.

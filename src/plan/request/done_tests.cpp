@@ -90,7 +90,7 @@ void leave_out(const DoneOptions& options, DoneList& list) {
         }
       }
     }
-    row.lacks = !row.gone.empty();
+    row.lacks = row.lacks || !row.gone.empty();
     row.setup = left(row.setup);
     for (std::optional<Element>& part : row.in_place) {
       const Block one = part ? left(Block{*part}) : Block();

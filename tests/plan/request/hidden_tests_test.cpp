@@ -244,5 +244,20 @@ TEST_F(HiddenTests, AreNamedOnce) {
   EXPECT_THAT(asked.notes, Not(Contains(HasSubstr("may have hidden"))));
 }
 
+// A failure may be that of the value that is gone.
+TEST_F(HiddenTests, AValueOfAParameterThatIsGoneMayBeToBlame) {
+  const std::string done =
+      "step,A,B,C,result\n1,1,x,p,fail\n2,1,y,q,fail\n3,2,y,p,pass\n4,2,x,q,pass\n5,,x,p,fail\n";
+  request.diagnose = true;
+  request.steps.reset();
+  read("B: x, y\nC: p, q\n", done);
+  EXPECT_THAT(asked.notes, Contains(HasSubstr("2 tests failed with a part that is gone, which may "
+                                              "be to blame: a diagnosis leaves them out")));
+  EXPECT_EQ(asked.results.size(), 3U);
+  EXPECT_EQ(std::ranges::count_if(asked.results, &TestedSetup::failed), 1);
+  read("A: 1, 2\nB: x, y\nC: p, q\n", done);
+  EXPECT_EQ(asked.results.size(), 5U);
+}
+
 }  // namespace
 }  // namespace changeover::hidden_tests_test
