@@ -284,7 +284,10 @@ SheetShape shape_of(const Heads& heads) {
 std::optional<std::size_t> result_column(const Heads& heads, const std::vector<bool>& taken) {
   const auto ours = first_column(
       heads, taken, [](const std::string& head) { return lower_case(head) == "result"; });
-  const auto meant = ours ? ours : first_column(heads, taken, heads_results);
+  // "slot_2 Outcome" is a parameter, which the model may have no more.
+  const auto meant = ours ? ours : first_column(heads, taken, [](const std::string& head) {
+    return heads_results(head) && !place_in(head);
+  });
   return meant ? meant : column_after_figures(heads, taken);
 }
 

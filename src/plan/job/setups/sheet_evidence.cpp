@@ -13,6 +13,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/write/csv_cell.hpp"
+#include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
 namespace {
@@ -50,6 +51,21 @@ std::optional<std::uint64_t> gap_in_numbers(const std::vector<DonePlace>& places
 // Whether a row has something in a place: a part, one that is gone, or the value without a name.
 bool is_there(const DoneRow& row, std::size_t place) {
   return !row.written[place].empty() || row.in_place[place];
+}
+
+// A column before the figures of a model's sheet that is taken for another one than of a parameter.
+std::string_view head_of_another(const Row& header, const SetupColumns& columns,
+                                 std::optional<std::size_t> figures) {
+  for (std::size_t i = 0; i < figures.value_or(0) && !columns.parameters.empty(); ++i) {
+    const std::string& head = header[i].text;
+    const OwnHead* const own = own_head_meant(head);
+    const bool is_so = own != nullptr ? !own->is_planned || own->is_figure
+                                      : heads_results(head) || heads_occasions(head);
+    if (!columns.have(i) && is_so) {
+      return head;
+    }
+  }
+  return {};
 }
 
 bool is_figure_of_pairs(const std::string& text) {
@@ -338,7 +354,15 @@ void SheetEvidence::judge(DoneList& list) const {
     const bool is_full =
         std::ranges::none_of(doubt.empty, [&](std::size_t i) { return is_used_[i]; });
     if (is_full && (doubt.is_certain || is_unexplained(doubt, list, at))) {
-      reader_->fail(doubt.at, fmt::format("{}; {}", doubt.what, put_it_back));
+      const std::string_view other =
+          head_of_another(*header_, *columns_, pairs_ ? pairs_ : triples_);
+      const std::string headed =
+          other.empty()
+              ? ""
+              : fmt::format(
+                    "; if {} is a parameter that the model had, head it {}", shown(other),
+                    shown(fmt::format("slot_{} {}", columns_->parameters.size() + 1, other)));
+      reader_->fail(doubt.at, fmt::format("{}; {}{}", doubt.what, put_it_back, headed));
     }
     const bool counts = !has_results || !list.rows[at].result.empty();
     const bool is_changed = doubt.keeps_old || !list.rows[at].gone.empty();  // by the user

@@ -94,6 +94,27 @@ TEST(GoneParameters, OneWithTheValuesOfAnotherIsNotedWithIt) {
                           HasSubstr("no column has the values of 'System'")));
 }
 
+// What has the head of another column is no gone parameter, but the figures miss it.
+TEST(GoneParameters, OneHeadedLikeAnotherColumnIsNamed) {
+  const std::string model = "OS: Arch, BSD\nBrowser: Edge, Opera\n";
+  for (const std::string head : {"Date", "Clock", "new pairs", "Verdict", "Test result"}) {
+    std::string text = "step,set,OS,Browser," + head + ",new_pairs,cost,result,notes\n";
+    text += "1,,Arch,Edge,1,3,4,pass,\n";
+    const std::string why = fault(text, model);
+    EXPECT_THAT(why, HasSubstr("3 new pairs, but the 2 parts here have only 1"));
+    EXPECT_THAT(why, HasSubstr("; if '" + head +
+                               "' is a parameter that the model had, head it "
+                               "'slot_3 " +
+                               head + "'"));
+    text.insert(text.find(head), "slot_3 ");
+    const DoneList list = read(text, model);
+    EXPECT_THAT(list.rows[0].setup, ElementsAre(0, 2));
+    EXPECT_EQ(list.rows[0].result, "pass");
+    EXPECT_TRUE(list.rows[0].lacks);
+    EXPECT_THAT(list.notes, ElementsAre(HasSubstr("the parameter '" + head + "' is no longer")));
+  }
+}
+
 TEST(GoneParameters, InAListOfFirstTestsAHeadThatIsNoneIsRefusedOrNoted) {
   const Job all = job("OS: Arch, BSD\nBrowser: Edge, Opera\nLang: de, en\n");
   const auto first = [&](const std::string& text) {
