@@ -150,7 +150,7 @@ class SetupReader {
       say_what_was_taken();
       gone_parameters_.say(reader_, list_);
       steps_.put_in_order(list_, header_, columns_, reader_);
-      other_results_.say(list_, header_, reader_);
+      other_results_.say(list_, header_, columns_, reader_);
       if (evidence_) {
         evidence_->judge(list_);
       }

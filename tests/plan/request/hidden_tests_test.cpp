@@ -259,5 +259,13 @@ TEST_F(HiddenTests, AValueOfAParameterThatIsGoneMayBeToBlame) {
   EXPECT_EQ(asked.results.size(), 5U);
 }
 
+// With another head, results are those of the column that has them.
+TEST_F(HiddenTests, AParameterHeadedLikeResultsHasNone) {
+  read("OS: a, b, c\nC: p, q\n",
+       "OS,slot_3 Outcome,C,Ergebnis\na,ok,p,pass\nb,bad,p,fail\nc,ok,q,\n");
+  EXPECT_EQ(needed_by(*asked.job), by_definition({{"OS", {"a", "b", "c"}}, {"C", {"p", "q"}}},
+                                                 {{{"OS", "a"}, {"C", "p"}}}));
+}
+
 }  // namespace
 }  // namespace changeover::hidden_tests_test

@@ -9,6 +9,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "plan/job/parts/heading_words.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {
@@ -36,6 +37,9 @@ void OtherResults::check(const Row& row, const DoneRow& done, const Row& header,
   check_unread(row, header, columns, reader);
   for (const std::size_t i : columns_) {
     const TestResult said = i < row.size() ? result_of(row[i].text) : TestResult::none;
+    if (said == TestResult::none && was_run(done.result)) {
+      silent_.emplace(i, Silence{row[*columns.result], done.result});
+    }
     if (said != TestResult::pass && said != TestResult::fail) {
       continue;
     }
@@ -68,12 +72,24 @@ void OtherResults::check_unread(const Row& row, const Row& header, const SetupCo
   }
 }
 
-void OtherResults::say(DoneList& list, const Row& header, const RowReader& reader) const {
+void OtherResults::say(DoneList& list, const Row& header, const SetupColumns& columns,
+                       const RowReader& reader) const {
+  const auto silence = said_ ? silent_.find(*said_) : silent_.end();
+  if (silence != silent_.end()) {
+    const std::string& head = header[*columns.result].text;
+    if (lower_case(head) != "result") {
+      reader.fail(
+          silence->second.at,
+          fmt::format("{} in the column {}, but the column {} says nothing; call the one "
+                      "with the results result, and head the other one otherwise",
+                      shown(silence->second.result), shown(head), shown(header[*said_].text)));
+    }
+  }
   if (said_) {
     list.notes.push_back(
-        fmt::format("{}: the column {} is not read; it says the same as that of "
-                    "the results",
-                    reader.place(header[*said_]), shown(header[*said_].text)));
+        fmt::format("{}: the column {} is not read; it says the same as that of the results{}",
+                    reader.place(header[*said_]), shown(header[*said_].text),
+                    silence == silent_.end() ? "" : ", or nothing"));
   }
   if (strange_ && !list.has_results()) {
     list.notes.push_back(fmt::format(

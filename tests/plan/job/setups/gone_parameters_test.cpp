@@ -115,6 +115,22 @@ TEST(GoneParameters, OneHeadedLikeAnotherColumnIsNamed) {
   }
 }
 
+// No column is called result, and a parameter that is gone was: which one has the results?
+TEST(GoneParameters, OneHeadedLikeResultsIsNotTakenForThem) {
+  const std::string model = "OS: a, b, c\nC: p, q\n";
+  const std::string rows = "a,ok,p,pass\nb,bad,p,fail\nc,ok,q,\n";
+  EXPECT_EQ(fault("OS,Outcome,C,Ergebnis\n" + rows, model),
+            "d.csv:4:3: 'ok' in the column 'Outcome', but the column 'Ergebnis' says nothing; call "
+            "the one with the results result, and head the other one otherwise");
+  EXPECT_EQ(fault("OS,Outcome,C,Ergebnis\na,ok,p,pass\nb,bad,p,fail\n", model), "none");
+  // The one that is called so has them, whatever another one does not say.
+  EXPECT_THAT(read("OS,result,C,Ergebnis\na,ok,p,pass\nb,bad,p,\n", model).notes,
+              ElementsAre(HasSubstr("it says the same as that of the results, or nothing")));
+  const DoneList list = read("OS,slot_3 Outcome,C,Ergebnis\n" + rows, model);
+  EXPECT_EQ(list.rows[2].result, "");
+  EXPECT_EQ(list.rows[1].result, "fail");
+}
+
 TEST(GoneParameters, InAListOfFirstTestsAHeadThatIsNoneIsRefusedOrNoted) {
   const Job all = job("OS: Arch, BSD\nBrowser: Edge, Opera\nLang: de, en\n");
   const auto first = [&](const std::string& text) {
