@@ -20,6 +20,7 @@
 #include "plan/job/setups/hidden_tests.hpp"
 #include "plan/job/setups/setup_list.hpp"
 #include "plan/job/setups/step_numbers.hpp"
+#include "plan/model/model_text.hpp"
 #include "plan/request/asked_benches.hpp"
 #include "plan/request/workbook/bench_tabs.hpp"
 #include "plan/request/workbook/sheets_agree.hpp"
@@ -111,20 +112,45 @@ std::size_t index_of(std::vector<DonePlace>& places, const DonePlace& place) {
   return index;
 }
 
+// The index of the place of a parameter, by its name: the numbers of those that the model has no
+// more differ by sheet. Added if necessary, with a number of its own.
+std::size_t index_of_parameter(std::vector<DonePlace>& places, DonePlace place) {
+  if (place.slot.empty()) {
+    return index_of(places, place);
+  }
+  const auto found = std::ranges::find_if(
+      places, [&](const DonePlace& each) { return same_word(each.slot, place.slot); });
+  const auto index = static_cast<std::size_t>(found - places.begin());
+  if (found == places.end()) {
+    std::uint64_t last = 0;
+    for (const DonePlace& each : places) {
+      last = std::max(last, each.number);
+    }
+    if (std::ranges::find(places, place.number, &DonePlace::number) != places.end()) {
+      place.number = last + 1;
+    }
+    places.push_back(std::move(place));
+  }
+  return index;
+}
+
 // What a row has by place, moved to other places.
 template <class T>
 std::vector<T> moved(std::vector<T> parts, const std::vector<std::size_t>& to, std::size_t places) {
   std::vector<T> all(places);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    all[to[i]] = std::move(parts[i]);
+    if (parts[i] != T()) {
+      all[to[i]] = std::move(parts[i]);
+    }
   }
   return all;
 }
 
 // Appends a list: places with the same headings are the same.
-void append(DoneList& list, DoneList more) {
-  const auto to = each_of<std::size_t>(
-      more.places, [&](const DonePlace& place) { return index_of(list.places, place); });
+void append(DoneList& list, DoneList more, bool is_of_model) {
+  const auto to = each_of<std::size_t>(more.places, [&](const DonePlace& place) {
+    return is_of_model ? index_of_parameter(list.places, place) : index_of(list.places, place);
+  });
   for (DoneRow& row : list.rows) {
     row.in_place.resize(list.places.size());
     row.written.resize(list.places.size());
@@ -245,7 +271,7 @@ class DoneTaker {
       if (lists.size() > 1 && !is_of_earlier_tests(*inputs[i])) {
         begins.push_back(list_.rows.size());
       }
-      append(list_, std::move(lists[i]));
+      append(list_, std::move(lists[i]), job_->model != nullptr);
     }
     if (put_sheets_in_order(list_.rows, begins)) {
       list_.notes.push_back(

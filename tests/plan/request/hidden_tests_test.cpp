@@ -259,6 +259,39 @@ TEST_F(HiddenTests, AValueOfAParameterThatIsGoneMayBeToBlame) {
   EXPECT_EQ(asked.results.size(), 5U);
 }
 
+// The numbers of its places differ by sheet.
+TEST_F(HiddenTests, WhatParametersHadCountsWhenTheyComeBack) {
+  const std::string a = "Alpha: 1, 2, 3\n";
+  const std::string b = "Bravo: x, y, z\n";
+  const std::string c = "Carton: p, q, r\nDepth: s, t, u\n";
+  const Parameters all{{"Alpha", {"1", "2", "3"}},
+                       {"Bravo", {"x", "y", "z"}},
+                       {"Carton", {"p", "q", "r"}},
+                       {"Depth", {"s", "t", "u"}}};
+  std::vector<Tested> passed;
+  request.model.text = a + b + c;
+  std::string bytes = planned();
+  for (const std::string& model : {b + c, c, a + c, b + c, a + b + c, b + a + c}) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, answer.plan->sheet.steps.size()); ++i) {
+      Tested& test = passed.emplace_back();
+      for (const Element x : answer.plan->sheet.steps[i].setup) {
+        const Model& of = *asked.job->model;
+        test.emplace_back(of.parameters[of.parameter_of(x)].name, of.value(x).label);
+      }
+    }
+    bytes = test::filled_in(bytes, {"pass", "pass"});
+    JobRequest more;
+    more.model.text = model;
+    bytes = planned(test::opened(bytes, more));
+    Parameters now = all;
+    std::erase_if(now, [&](const Parameter& each) {
+      return model.find(each.name + ":") == std::string::npos;
+    });
+    EXPECT_EQ(needed_by(*asked.job), by_definition(now, passed)) << model;
+    EXPECT_EQ(asked.job->tests_done, passed.size());
+  }
+}
+
 // With another head, results are those of the column that has them.
 TEST_F(HiddenTests, AParameterHeadedLikeResultsHasNone) {
   read("OS: a, b, c\nC: p, q\n",
