@@ -453,6 +453,7 @@ test('on a phone the answer comes into sight when it was asked for', async (expl
 
 test('both levels fit a phone, and a step takes as many lines as it needs', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=64&room=16&fast=4');
+  await page.setViewportSize({ width: 1600, height: 900 });
   const first = page.getByRole('listitem').filter({ hasText: /^1load/ });
   await first.waitFor();
   assert.equal(await first.evaluate((it) => it.offsetHeight), 28);

@@ -39,7 +39,9 @@ def takes(request, door):
     page = (root / "docs/doors.md").read_text()
     table = page[page.index(f"format `{request}`") :]
     rows = re.findall(
-        r"^\| `(\w+)` \| `[^`]+` \| (\w+) \| (\S+) \| (\S+)", table.split("\n## ")[0], re.M
+        r"^\| `(\w+)` \| `[^`]+` \| (\w+) \| (\S+)(?: \([a-z ]+\))? \| (\S+)",
+        table.split("\n## ")[0],
+        re.M,
     )
     at = {"server": 1, "python": 2, "c": 3}[door]
     return {row[0]: row[at].strip("`") for row in rows if row[at] != "no"}
