@@ -6,7 +6,7 @@
 // {m, …, 2m−1}, in ⌈m/(k−m)⌉ moves. An even block has outside any m elements that its neighbours
 // have not. Proof, also that no design has fewer blocks: docs/theorems.md, Theorem 39.
 //
-// For 2m ≤ k these are three blocks, which small-v has, too.
+// For 2m ≤ k these are three blocks, which small-v serves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,14 +29,15 @@ std::uint64_t window(const Parameters& p, std::uint64_t number) {
 constexpr Description description{
     .name = "complement-windows",
     .summary = "what is outside every second block is a window that moves by k-m elements",
-    .preconditions = "v = k+m, m < k",
+    .preconditions = "v = k+m, k/2 < m < k",
     .guarantee = "a minimum design of 2*ceil(m/(k-m)) + 1 blocks, linear and circular",
     .place = "docs/theorems.md, Theorem 39",
 };
 
 class ComplementWindows final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
-    if (!asks_for_pairs(p, p.change) || p.change >= p.k || p.v != p.k + p.change) {
+    if (!asks_for_pairs(p, p.change) || p.change >= p.k || 2 * p.change <= p.k ||
+        p.v != p.k + p.change) {
       return std::nullopt;
     }
     const std::uint64_t b = 2 * moves_of(p) + 1;

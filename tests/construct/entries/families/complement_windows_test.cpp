@@ -8,13 +8,14 @@ namespace {
 
 using namespace test;
 
+// small-v has those of three blocks.
 TEST(ComplementWindows, AreMinimumForEveryChangeNumberBelowK) {
   std::size_t built = 0;
   for (std::uint64_t k = 2; k <= 24; ++k) {
     for (std::uint64_t m = 1; m < k; ++m) {
       for (const Kind kind : {Kind::circular, Kind::linear}) {
         const Parameters p{k + m, k, m, kind, 2};
-        const auto offer = offer_of("complement-windows", p);
+        const auto offer = offer_of(2 * m > k ? "complement-windows" : "small-v", p);
         ASSERT_TRUE(offer) << name(p);
         EXPECT_EQ(offer->b, 2 * ((m + k - m - 1) / (k - m)) + 1) << name(p);
         EXPECT_EQ(offer->b, lower_bound(p).blocks) << name(p);
@@ -44,6 +45,7 @@ TEST(ComplementWindows, ServeNothingElse) {
   EXPECT_FALSE(offer_of("complement-windows", {10, 5, 5, Kind::linear, 2}));
   EXPECT_FALSE(offer_of("complement-windows", {10, 5, 4, Kind::linear, 2}));
   EXPECT_FALSE(offer_of("complement-windows", {9, 5, 4, Kind::linear, 3}));
+  EXPECT_FALSE(offer_of("complement-windows", {6, 4, 2, Kind::linear, 2}));
   const Recipe recipe = offer_of("complement-windows", {9, 5, 4, Kind::linear, 2})->recipe;
   const auto refused = [&](const std::string& how, const auto& change) {
     Recipe spoilt = recipe;
