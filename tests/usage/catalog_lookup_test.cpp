@@ -46,7 +46,8 @@ TEST(CatalogVerbs, AnswerWhatIsAsked) {
            "author = {{Preece} and {Constable} and {Zhang} and {Yucas} and {Wallis} and {McSorley} "
            "and {Phillips}}"},
           {"$changeover catalog cite 26.4.2.circular.65", 0, "@misc{changeover-26.4.2.circular.65"},
-          {"$changeover catalog cite 40.9.2.circular", 4, "has no design"},
+          {"$changeover catalog cite 40.9.2.circular", 0, "@misc{changeover-40.9.2.circular."},
+          {"$changeover catalog cite 200.9.2.circular", 4, "has no design"},
           {"$changeover catalog cite", 0, "A catalog of change covering designs"},
           {"$changeover catalog completeness --k 3..4 --change 1 --linear", 0, "(100 %)"},
           {"$changeover catalog list --since 2026-02-29", 2, "'2026-02-29' is not a day"},

@@ -221,8 +221,10 @@ std::optional<std::string> loose_word_defect(std::string_view word, bool is_firs
   if (word.empty()) {
     return std::nullopt;
   }
+  const bool has_blank = word.find(' ') != std::string_view::npos;  // in CSV: "B: {A"
   if (brackets.find(word.front()) != std::string_view::npos ||
-      brackets.find(word.back()) != std::string_view::npos) {
+      brackets.find(word.back()) != std::string_view::npos ||
+      (has_blank && word.find_first_of(brackets) != std::string_view::npos)) {
     return fmt::format("{} has a bracket; write every block as {{A,B,C}}, or none", shown(word));
   }
   if (std::ranges::find(comments, word) != comments.end()) {

@@ -113,7 +113,7 @@ std::size_t index_of(std::vector<DonePlace>& places, const DonePlace& place) {
 }
 
 // The index of the place of a parameter, by its name: the numbers of those that the model has no
-// more differ by sheet. Added if necessary, with a number of its own.
+// more differ by sheet. Added if necessary, with a separate number.
 std::size_t index_of_parameter(std::vector<DonePlace>& places, DonePlace place) {
   if (place.slot.empty()) {
     return index_of(places, place);

@@ -104,6 +104,8 @@ TEST(BracketReader, RefusesWhatIsNotBlocks) {
   refuses("{A,B}}", "f:1:6: '}' is in no bracket; write each block as {A,B,C}");
   refuses("{'A,B}", "f:1:2: a quote is opened and not closed; close it");
   refuses("{'A'B}", "f:1:5: a name goes on after its quote; correct it");
+  EXPECT_REFUSAL((void)read_brackets(*input_from_text("# x\n", "f")), BadInput,
+                 "f:2:1: no blocks; write each block as {A,B,C}");
   refuses("{1..3}", "f:1:2: a range; write out its elements");
   refuses("()", "f:1:1: block 1 is empty; remove it");
   refuses("{A,A,B}", "f:1:4: element 'A' is twice in block 1; remove or correct one");
@@ -118,8 +120,8 @@ TEST(BracketReader, LinesOfTextHaveNoSuchSigns) {
   refuses("A B D % first\n", "f:1:7: '%' is not an element; begin a comment with #");
   refuses("B =\n", "f:1:3: '=' is not an element; write every block as {A,B,C}");
   refuses("gap> 1 2\n", "f:1:1: 'gap>' is not an element; write every block as {A,B,C}");
-  refuses("a{A,B},{B,C}\n", "f:1:4: 'B}' has a bracket; write every block as {A,B,C}, or none");
-  refuses("B: {A,B}\n", "f:1:1: 'B: {A' ");
+  refuses("a{A,B},{B,C}\n", "f:1:5: 'B}' has a bracket; write every block as {A,B,C}, or none");
+  refuses("B: {A,B}\n", "f:1:1: 'B: {A' has a bracket; write every block as {A,B,C}, or none");
   refuses("ABD\nBCE\n",
           "f:1:1: each block has one element; separate the elements of a block by blanks");
   EXPECT_EQ(read("# labels: B: (A %\nB: (A %\n").v(), 3U);

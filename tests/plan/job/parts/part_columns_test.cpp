@@ -48,12 +48,13 @@ TEST(PartColumns, TwoColumnsForOneThingAreRefused) {
 }
 
 TEST(PartColumns, WhatMayBeEitherIsRefused) {
-  for (const char* text :
-       {"tool,weight\nA\nB\n", "crate\nA,1\nB,2\n", "crate\nA\nB\n", "crate\nX1\nX22\n",
-        "beer\nHelles\nPils\n", "Pump;n/a\nValve;3\nHose;2\n"}) {
+  for (const char* text : {"tool,weight\nA\nB\n", "crate\nA,1\nB,2\n", "crate\nA\nB\n",
+                           "crate\nX1\nX22\n", "beer\nHelles\nPils\n"}) {
     EXPECT_THAT(complaint(text), AllOf(StartsWith("p.csv:1:1: "), HasSubstr("--no-header")))
         << text;
   }
+  // What stands for no number is not the name of a column.
+  EXPECT_THAT(complaint("Pump;n/a\nValve;3\nHose;2\n"), StartsWith("p.csv:1:6: 'n/a' is not"));
   EXPECT_THAT(parts("crate\nA\nB\n", Header::none).names, ElementsAre("crate", "A", "B"));
   EXPECT_THAT(parts("crate\nA\nB\n", Header::given).names, ElementsAre("A", "B"));
   EXPECT_THAT(parts("name\nA\nB\n", Header::none).names, ElementsAre("name", "A", "B"));

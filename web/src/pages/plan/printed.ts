@@ -1,4 +1,4 @@
-// Rules of a job that whoever runs its tests must know, below the printed sheet.
+// Rules of a job that the person who runs its tests must know, below the printed sheet.
 import { h, type Child } from '../../lib/dom';
 import { cells, type Job } from './job';
 
