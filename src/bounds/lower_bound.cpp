@@ -199,9 +199,9 @@ Bound of_degree_program(const Parameters& p, std::uint64_t b) {
       b, "degree program",
       fmt::format(
           "with {0} let x be introduced i_x >= 1 times, and e_x >= 0 be its new meetings beyond "
-          "v-1; then e_x >= i_x(k-1)-(v-1), the difference is a multiple of m = {1}, e_x is at most "
-          "half of the sum of all, and x fits into the blocks{2}. No whole numbers with the right "
-          "sums{3} do (docs/theorems.md, Theorem 35): b >= {4}",
+          "v-1; then e_x >= i_x(k-1)-(v-1), the difference is a multiple of m = {1}, e_x is at "
+          "most half of the sum of all, and x fits into the blocks{2}. No whole numbers with the "
+          "right sums{3} do (docs/theorems.md, Theorem 35): b >= {4}",
           count_of(b - 1, "block"), p.change,
           p.kind == Kind::circular ? ", whatever is in every block" : "",
           p.change > largest_m_of_stays ? "" : " and the stays of Theorem 5", b)};

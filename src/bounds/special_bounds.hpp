@@ -1,5 +1,5 @@
-// Bounds for large change numbers: elements that must come back at once, Steiner systems that no list
-// of blocks with such steps can be, and two minima, for v = k+m and for v = 2k+1 with m = k.
+// Bounds for large change numbers: elements that must come back at once, Steiner systems that no
+// list of blocks with such steps can be, and two minima, for v = k+m and for v = 2k+1 with m = k.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,10 @@ namespace changeover {
 /// @throws ImpossibleParameters if a count exceeds 64 bits.
 [[nodiscard]] std::optional<Bound> returning(const Parameters& p);
 
-/// One block more than C(v,2) / C(k,2), where that is a whole number, m ≥ k − 1 and the blocks would
-/// have to be those of a projective or an affine plane in an order that there is not, or of a Steiner
-/// system with fewer blocks than elements [docs/theorems.md, Theorem 37]. nullopt elsewhere.
+/// One block more than C(v,2) / C(k,2), where that is a whole number, m ≥ k − 1 and the blocks
+/// would have to be those of a projective or an affine plane in an order that there is not, or of a
+/// Steiner system with fewer blocks than elements [docs/theorems.md, Theorem 37]. nullopt
+/// elsewhere.
 /// @throws ImpossibleParameters if a count exceeds 64 bits.
 [[nodiscard]] std::optional<Bound> steiner_system(const Parameters& p);
 

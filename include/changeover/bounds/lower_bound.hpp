@@ -21,8 +21,8 @@
 //   degree program  the least b for which whole numbers i_x, e_x with the right sums satisfy
 //             i_x(k−1) + m(r_x − i_x) = v − 1 + e_x at every x, no e_x is more than half of their
 //             sum, and for m ≤ 3 the inequality of stays holds for every s (m ≤ 30, v ≤ 2000)
-//             [docs/theorems.md, Theorem 35]; for k = 3, m = 2 this is ⌈v/3·⌈(v−1)/2⌉⌉, the covering
-//             bound of Fort and Hedlund.
+//             [docs/theorems.md, Theorem 35]; for k = 3, m = 2 this is ⌈v/3·⌈(v−1)/2⌉⌉, the
+//             covering bound of Fort and Hedlund.
 //   returning elements  for v < k + 2m some of the elements that enter were there two blocks before
 //             [docs/theorems.md, Theorem 36].
 //   Steiner system  for m ≥ k − 1, where C(v,2) / C(k,2) blocks would be a plane in an order that

@@ -225,9 +225,8 @@ struct FileItemsOptions {
 /// A file that is cut into items of the same size.
 class FileItems final : public ItemSource {
  public:
-  /// @throws BadInput if item_bytes = 0, the file is not a regular one or holds no item, or its last
-  /// item is short and may not be;
-  /// MissingResource if it cannot be opened.
+  /// @throws BadInput if item_bytes = 0, the file is not a regular one or holds no item, or its
+  /// last item is short and may not be; MissingResource if it cannot be opened.
   FileItems(const std::string& path, std::uint64_t item_bytes,
             const FileItemsOptions& options = {});
   ~FileItems() override;

@@ -118,8 +118,9 @@ class CheckedLoads {
                                          std::shared_ptr<const PairGraph> pairs = nullptr);
 
 /// Whether a request can be written in this format: that of Marius has one buffer, that of COLMAP
-/// each pair once, and text and CSV pairs of names as a|b. @throws BadOption, naming options as the door does, if it cannot; BadInput for
-/// more items than a list for COLMAP has, and for a name with a '|'.
+/// each pair once, and text and CSV pairs of names as a|b. @throws BadOption, naming options as the
+/// door does, if it cannot; BadInput for more items than a list for COLMAP has, and for a name with
+/// a '|'.
 void check_format(const CheckedLoads& asked, std::string_view format);
 
 }  // namespace changeover

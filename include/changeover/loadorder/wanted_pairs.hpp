@@ -11,7 +11,8 @@
 // item in double quotes may contain any of these, with quotes doubled ("cam 0/x.JPG","b"); without
 // quotes, an item between commas, semicolons or tabs may contain blanks. Empty lines and lines that
 // begin with # or % are skipped, and so is a first line of two words above lines of numbers, which
-// are then names of columns. A workbook (.xlsx) is read, too: its first sheet, or the one that open_list() (io/input.hpp) names.
+// are then names of columns. A workbook (.xlsx) is read, too: its first sheet, or the one that
+// open_list() (io/input.hpp) names.
 //
 // A file of groups has the items of a group in each line, any number of them, written in the same
 // way, and wants all pairs within each group. A group of one item wants none: it is not loaded for

@@ -257,7 +257,8 @@ class WorkerSplit {
 /// Returns the best known order, verified by ScheduleCheck. With `options.search_pairs` it is
 /// improved until the time is over, otherwise for a fixed amount of work. @throws as
 /// plan_load_order(); BadInput if there are more than 300 items, fewer than 2·W, and all pairs are
-/// wanted, or W is 0 or exceeds 65,536; ImpossibleParameters above 65,535 items, unless pairs are listed.
+/// wanted, or W is 0 or exceeds 65,536; ImpossibleParameters above 65,535 items, unless pairs are
+/// listed.
 [[nodiscard]] LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room,
                                             std::uint64_t workers,
                                             const LoadOrderOptions& options = {});

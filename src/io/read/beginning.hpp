@@ -8,8 +8,8 @@ namespace changeover {
 /// Skips blanks, and comments that begin with '#'.
 void skip_comments(std::string_view& text);
 
-/// Skips the prompt of GAP, Sage or Python ("gap>", "sage:", ">>>") and the blanks after it. Returns
-/// whether it was there.
+/// Skips the prompt of GAP, Sage or Python ("gap>", "sage:", ">>>") and the blanks after it.
+/// Returns whether it was there.
 bool skip_prompt(std::string_view& text);
 
 /// Skips "D :=" or "D =" and the blanks after it. Returns whether it was there.

@@ -17,7 +17,8 @@ namespace changeover {
 
 /// Items have the numbers 0, …, items − 1, or the names that the wanted pairs give them. Pairs that
 /// are not in the list cost 1. A first row of words over rows of numbers is a header, which `notes`
-/// then receive. @throws BadInput with its place for an unknown item, a cost below 0, or a pair that has a cost already
+/// then receive. @throws BadInput with its place for an unknown item, a cost below 0, or a pair
+/// that has a cost already
 [[nodiscard]] std::function<double(Element, Element)> read_pair_costs(
     Input& input, const WantedPairs& wanted, std::vector<std::string>* notes = nullptr);
 

@@ -85,7 +85,8 @@ struct SizesRead {
 
 /// Reads sizes from a list: an item and its bytes per row, or rows with the bytes of items 0, 1, …
 /// in turn. Bytes are whole numbers, with K, M, G or T for powers of 1000. Items have the numbers
-/// or names of the listed pairs. A first row without a size is a header, which `notes` then receive.
+/// or names of the listed pairs. A first row without a size is a header, which `notes` then
+/// receive.
 /// @throws BadInput with a place
 [[nodiscard]] SizesRead read_sizes(std::unique_ptr<Input> input, std::optional<std::uint64_t> items,
                                    const PairGraph* graph,

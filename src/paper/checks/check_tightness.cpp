@@ -135,7 +135,8 @@ PaperItem check_economical_is_minimum(const PaperContext& context) {
               fmt::format("a {} with {} blocks is minimum", name(p), b),
               fmt::format("{} is one, and {} has fewer blocks", all_blocks(simplest(economical)),
                           all_blocks(smaller.front())),
-              "both by exhaustion, verified; g2 is not a bound where two elements are in every block"};
+              "both by exhaustion, verified; g2 is not a bound where two elements are in every "
+              "block"};
         });
         if (!right) {
           wrong.push_back(name(p));

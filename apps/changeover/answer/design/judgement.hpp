@@ -84,8 +84,8 @@ class JudgedWhileRead final : public BlockSource {
 /// "tight, minimum: 366 blocks, the lower bound (counting)", and the like.
 [[nodiscard]] std::string quality(const Judgement& judgement);
 
-/// The names of one or two elements where all others, three or more, are numbers: perhaps ∞, perhaps
-/// a slip of the keyboard. Empty otherwise. O(labels).
+/// The names of one or two elements where all others, three or more, are numbers: perhaps ∞,
+/// perhaps a slip of the keyboard. Empty otherwise. O(labels).
 [[nodiscard]] std::vector<std::string> names_among_numbers(const std::vector<std::string>& labels);
 
 /// The document of `verify --json`: {"verdict":…,"bound":{"name","reason"},"details":…,

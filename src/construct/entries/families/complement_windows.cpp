@@ -1,10 +1,10 @@
 // Minimum m-change covering designs with v = k+m: the elements outside the blocks, in windows.
 //
-// What is outside a block has m elements, and consecutive blocks have nothing outside in common. Two
-// elements never meet iff one is outside all odd blocks and the other outside all even ones. So let
-// the set outside the odd blocks move: from {0, …, m−1} by k−m elements, or as many as are left, to
-// {m, …, 2m−1}, in ⌈m/(k−m)⌉ moves. An even block has outside any m elements that its neighbours
-// have not. Proof, also that no design has fewer blocks: docs/theorems.md, Theorem 39.
+// What is outside a block has m elements, and consecutive blocks have nothing outside in common.
+// Two elements never meet iff one is outside all odd blocks and the other outside all even ones. So
+// let the set outside the odd blocks move: from {0, …, m−1} by k−m elements, or as many as are
+// left, to {m, …, 2m−1}, in ⌈m/(k−m)⌉ moves. An even block has outside any m elements that its
+// neighbours have not. Proof, also that no design has fewer blocks: docs/theorems.md, Theorem 39.
 //
 // For 2m ≤ k these are three blocks, which small-v serves.
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 // Strength t = k for m = 1: all k-subsets, each once, in revolving-door order.
 //
-// Every t elements are to be in a block of t elements, so each t-subset is a block: C(v,t) at least.
-// The order F(n,k) of the k-subsets of {0, …, n−1} lists those whose largest element is k−1, then k,
-// and so on to n−1, and for largest element c the (k−1)-subsets of {0, …, c−1} in the order
+// Every t elements are to be in a block of t elements, so each t-subset is a block: C(v,t) at
+// least. The order F(n,k) of the k-subsets of {0, …, n−1} lists those whose largest element is k−1,
+// then k, and so on to n−1, and for largest element c the (k−1)-subsets of {0, …, c−1} in the order
 // F(c,k−1) backwards. It begins with {0, …, k−1} and ends with {0, …, k−2, n−1}, for backwards F
-// ends where it begins; consecutive subsets, the last and the first included, differ in one element.
-// Proof: docs/theorems.md, Theorem 38.
+// ends where it begins; consecutive subsets, the last and the first included, differ in one
+// element. Proof: docs/theorems.md, Theorem 38.
 //
 // Pairs are served by pairs-single-change, which has an expansion set.
 #include <fmt/format.h>

@@ -18,9 +18,9 @@ inline constexpr std::uint64_t most_items_of_crowded = 300;
   return wanted.are_all() && workers > 1 && wanted.items() / workers < room;
 }
 
-/// @throws BadInput if all pairs of more than most_items_of_crowded items are wanted by more workers
-/// than there are pairs of items to hold; ImpossibleParameters above 65,535 items, unless pairs are
-/// listed
+/// @throws BadInput if all pairs of more than most_items_of_crowded items are wanted by more
+/// workers than there are pairs of items to hold; ImpossibleParameters above 65,535 items, unless
+/// pairs are listed
 void check_disjoint(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers);
 
 }  // namespace changeover

@@ -24,8 +24,8 @@ class GoneParameters {
 
   /// Looks at what is in such a column.
   void take(std::size_t slot, const std::string& text);
-  /// Looks at the columns of a row that have no meaning here: in a list by hand one may be that of a
-  /// parameter, and what is written there as a value out of range may have hidden the rest.
+  /// Looks at the columns of a row that have no meaning here: in a list by hand one may be that of
+  /// a parameter, and what is written there as a value out of range may have hidden the rest.
   void look_beside(const Row& row, const PartFinder& finder, DoneRow& done) const;
 
   /// Notes each column, and which parameter it may be instead, if all of its values are its own;

@@ -29,8 +29,8 @@ struct Annealing {
   double hot =
       0.8;  ///< first and last temperature, in about three times the cost of a covered pair
   double cold = 0.03;
-  /// The energy of an uncovered pair, with a budget; this and the temperatures are then in the unit of the
-  /// weights.
+  /// The energy of an uncovered pair, with a budget; this and the temperatures are then in the unit
+  /// of the weights.
   double penalty = 0;
   /// The schedule ends after this time, even if steps are left.
   std::optional<std::chrono::duration<double>> time = {};
