@@ -47,6 +47,7 @@ function(changeover_embedded_pages variable)
   set(source "${PROJECT_BINARY_DIR}/generated/embedded_pages.cpp")
   file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[
 // Generated. Do not edit.
+#include "answer/known/theorems.hpp"
 #include "serve/api/about.hpp"
 #include "serve/pages/pages.hpp"
 
@@ -73,10 +74,15 @@ std::vector<EmbeddedPage> embedded_pages() {
 @rows@  };
 }
 
-std::string_view theorems_text() { return {changeover_theorems, changeover_theorems_end}; }
 std::string_view stored_atlases() { return {changeover_atlases, changeover_atlases_end}; }
 
 }  // namespace changeover::serve
+
+namespace changeover::cli {
+
+std::string_view theorems_text() { return {changeover_theorems, changeover_theorems_end}; }
+
+}  // namespace changeover::cli
 ]])
   # ccache does not see what the assembler reads.
   set_source_files_properties("${source}" PROPERTIES OBJECT_DEPENDS "${paths}"

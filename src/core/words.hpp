@@ -47,6 +47,9 @@ template <typename Value>
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/// True for letters and digits, as above.
+[[nodiscard]] constexpr bool is_alphanumeric(char c) { return is_letter(c) || is_digit(c); }
+
 /// Whether a word stands where a number is missing or is none, in any case and with any sign: nan,
 /// inf, NA, none, null, "?", nothing. No column has such a name.
 [[nodiscard]] bool is_missing_number(std::string_view word);

@@ -14,7 +14,7 @@ void skip_blanks(std::string_view& text) {
 
 }  // namespace
 
-bool is_of_name(char c) { return is_letter(c) || c == '_' || is_digit(c); }
+bool is_of_name(char c) { return is_alphanumeric(c) || c == '_'; }
 
 void skip_comments(std::string_view& text) {
   for (skip_blanks(text); text.starts_with('#'); skip_blanks(text)) {

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "answer/catalog/entry_words.hpp"
 #include "answer/known/known_table.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/draw/draw.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
+#include "changeover/verify/verdict.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
@@ -38,28 +37,6 @@ std::string found_words(const CatalogEntry& entry) {
   return words;
 }
 
-// Newly covered pairs beyond one for each pair, as docs/theorems.md counts them; nothing for one
-// block.
-std::optional<std::int64_t> excess_of(const Design& design) {
-  const Parameters& p = design.parameters();
-  const auto pairs = [](std::uint64_t n) { return static_cast<std::int64_t>(n * (n - 1) / 2); };
-  const std::uint64_t blocks = design.block_count();
-  if (p.strength != 2 || blocks < 2) {
-    return std::nullopt;
-  }
-  const auto each = static_cast<std::int64_t>(p.change * (p.k - p.change)) + pairs(p.change);
-  const bool circular = p.kind == Kind::circular;
-  const auto steps = static_cast<std::int64_t>(circular ? blocks : blocks - 1);
-  std::vector<std::uint64_t> times(p.v);
-  for (std::uint64_t i = 0; i < blocks; ++i) {
-    for (const Element x : design.block(i)) {
-      ++times[x];
-    }
-  }
-  const auto fixed = static_cast<std::uint64_t>(std::ranges::count(times, blocks));
-  return steps * each + (circular ? pairs(fixed) : pairs(p.k)) - pairs(p.v);
-}
-
 void state_facts(Dossier& dossier, const Judgement& judgement,
                  const std::optional<CatalogEntry>& entry) {
   const Parameters& p = dossier.parameters;
@@ -84,9 +61,7 @@ void state_facts(Dossier& dossier, const Judgement& judgement,
                           ? "minimum"
                           : fmt::format("{} over the lower bound", count_of(gap, "block"))));
   if (dossier.design) {
-    if (const auto excess = excess_of(*dossier.design)) {
-      add("excess", std::to_string(*excess));
-    }
+    add("excess", std::to_string(verify(*dossier.design).excess));
     add("order of its group", automorphisms(*dossier.design).order);
   }
   if (entry) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "answer/dossier/dossier_form.hpp"
+#include "answer/dossier/dossier_setting.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/tables.hpp"
 #include "construct/references.hpp"
