@@ -36,7 +36,8 @@ std::optional<std::string> nearest_word(const std::string& word,
     return std::nullopt;
   }
   const std::string* nearest = nullptr;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  // One other letter in place of the only one is another word.
+  std::size_t least = word.size() < 2 ? 1 : std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& each : known) {
     const bool begins = word.size() > 2 && each.starts_with(word);
     const std::size_t away = begins ? 1 : distance(word, each);

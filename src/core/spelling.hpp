@@ -10,8 +10,8 @@
 namespace changeover {
 
 /// The known word that is nearest, by letters to insert, drop, replace or swap; nothing if none is
-/// near enough: more than a third of the letters differ. A word of more than 40 bytes is no
-/// misspelling. O(known words times the square of their length).
+/// near enough: one letter may differ of two or more, and a third of the letters of longer words.
+/// A word of more than 40 bytes is no misspelling. O(known words times the square of their length).
 [[nodiscard]] std::optional<std::string> nearest_word(const std::string& word,
                                                       const std::vector<std::string>& known);
 

@@ -36,6 +36,7 @@ class BracketReader {
     const std::size_t start = at_;
     while (skip_to_next()) {
       if (!opens(text_[at_])) {
+        refuse_closing(at_, word());
         fail(at_, fmt::format("{} is in no bracket; write each block as {{A,B,C}}", shown(word())));
       }
       read_group(true);
@@ -125,16 +126,17 @@ class BracketReader {
       if (element.find("..") != std::string_view::npos) {
         fail(start, "a range; write out its elements");
       }
-      if (opens_or_closes(element)) {
-        fail(start, "this bracket closes none that is open; correct it");
-      }
+      refuse_closing(start, element);
+      note(loose_word_defect(element, collector_.block_size() == 0), start);
       note(collector_.add(element), start);
     }
     offsets_.push_back(static_cast<std::uint32_t>(start));  // a text is at most 1 GiB
   }
 
-  static bool opens_or_closes(std::string_view element) {
-    return element.size() == 1 && (element == ")" || element == "]" || element == "}");
+  void refuse_closing(std::size_t offset, std::string_view word) const {
+    if (word == ")" || word == "]" || word == "}") {
+      fail(offset, "this bracket closes none that is open; correct it");
+    }
   }
 
   void note(const std::optional<std::string>& defect, std::size_t offset) const {
@@ -177,11 +179,13 @@ bool may_be_json(std::string_view text) {
     return second == ']';
   }
   const char key = first == '[' ? next() : second;
-  if (key != '"') {
-    return key == '}';
+  if (key == '}') {
+    return next() == '\0' || first == '[';  // "{}" alone
   }
-  const std::size_t end = text.find('"', 1);
-  text.remove_prefix(std::min(end, text.size()));
+  if (key != '"') {
+    return false;
+  }
+  text.remove_prefix(std::min(text.find('"', 1), text.size()));
   const char after = text.empty() ? '\0' : next();
   return after == ':' || after == '\0';
 }

@@ -157,9 +157,6 @@ Parameters completed(const std::string& name, Place place, const Declared& decla
       declared.change.value_or(first_change != 0 ? first_change : std::min<std::uint64_t>(2, k));
   p.kind = declared.kind.value_or(Kind::linear);
   p.strength = declared.strength.value_or(2);
-  if (k == 1 && !declared.k && v > 1 && p.strength == 2) {
-    fail(name, place, "each block has one element; separate the elements of a block by blanks");
-  }
   try {
     check(p);
   } catch (const ImpossibleParameters& fault) {
@@ -214,18 +211,40 @@ std::optional<std::string> table_defect(std::string_view beginning) {
   return std::nullopt;
 }
 
+namespace {
+
+// "(A" and "B}" are parts of a set; "A(1)" and "f[0]" are names.
+bool is_part_of_a_set(std::string_view word) {
+  constexpr std::string_view opening = "([{";
+  constexpr std::string_view closing = ")]}";
+  std::vector<char> open;
+  for (const char c : word) {
+    if (opening.find(c) != std::string_view::npos) {
+      open.push_back(closing[opening.find(c)]);
+    } else if (closing.find(c) != std::string_view::npos) {
+      if (open.empty() || open.back() != c) {
+        return true;
+      }
+      open.pop_back();
+    }
+  }
+  return !open.empty() || opening.find(word.front()) != std::string_view::npos;
+}
+
+}  // namespace
+
 std::optional<std::string> loose_word_defect(std::string_view word, bool is_first) {
-  constexpr std::string_view brackets = "()[]{}";
   constexpr std::array<std::string_view, 4> comments = {"%", "//", "--", "/*"};
-  constexpr std::array<std::string_view, 5> signs = {"=", ":=", "gap>", "sage:", ">>>"};
+  constexpr std::array<std::string_view, 8> signs = {"=", ":=",   ":",     "...",
+                                                     "…", "gap>", "sage:", ">>>"};
   if (word.empty()) {
     return std::nullopt;
   }
-  const bool has_blank = word.find(' ') != std::string_view::npos;  // in CSV: "B: {A"
-  if (brackets.find(word.front()) != std::string_view::npos ||
-      brackets.find(word.back()) != std::string_view::npos ||
-      (has_blank && word.find_first_of(brackets) != std::string_view::npos)) {
-    return fmt::format("{} has a bracket; write every block as {{A,B,C}}, or none", shown(word));
+  if (is_part_of_a_set(word)) {
+    return fmt::format(
+        "{} has a bracket; write every block as {{A,B,C}}, or list all names in a line '# labels: "
+        "…'",
+        shown(word));
   }
   if (std::ranges::find(comments, word) != comments.end()) {
     return fmt::format("{} is not an element; begin a comment with #", shown(word));

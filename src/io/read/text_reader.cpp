@@ -329,6 +329,10 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
   }
 
   void complete(std::uint64_t first_change) {
+    if (k_ == 1 && v_ > 1 && !declared_.k && declared_.strength.value_or(2) == 2) {
+      scanner_.fail(first_block_place_,
+                    "each block has one element; separate the elements of a block by blanks");
+    }
     parameters_ = completed(input_->name(), header_place_.value_or(first_block_place_), declared_,
                             v_, k_, first_change);
   }

@@ -9,6 +9,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
+#include "plan/model/model_names.hpp"
 #include "plan/model/model_text.hpp"
 
 namespace changeover {
@@ -66,8 +67,7 @@ std::optional<std::size_t> ModelBuilder::find(std::string_view name) const {
 std::size_t ModelBuilder::parameter(std::string_view name, std::size_t at) const {
   const auto found = find(name);
   if (!found) {
-    text_.refuse(at,
-                 fmt::format("no parameter is called {}; write it as the model does", shown(name)));
+    text_.refuse(at, no_parameter(name, model_));
   }
   return *found;
 }

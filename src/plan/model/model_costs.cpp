@@ -40,9 +40,7 @@ class ValueCosts {
       const Row& row = rows_[at_];
       const auto parameter = names_.parameter(row.front().text);
       if (!parameter) {
-        reader_.fail(row.front(),
-                     fmt::format("no parameter is called {}; write it as the model does",
-                                 shown(row.front().text)));
+        reader_.fail(row.front(), no_parameter(row.front().text, names_.model()));
       }
       is_table(*parameter) ? read_table(*parameter) : read_row(*parameter);
     }

@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "core/each.hpp"
 #include "core/printable.hpp"
+#include "core/spelling.hpp"
+#include "core/words.hpp"
 #include "plan/model/model_text.hpp"
 
 namespace changeover {
@@ -96,6 +101,23 @@ std::string ModelNames::complaint(std::string_view word) const {
   return fmt::format(
       "no parameter has the value {}; write it as the model does, or as Parameter: value",
       shown(word));
+}
+
+std::optional<std::string> parameter_meant(std::string_view name,
+                                           const std::vector<std::string>& parameters) {
+  const auto small = each_of<std::string>(parameters, lower_case);
+  const auto nearest = nearest_word(lower_case(name), small);
+  return nearest ? std::optional(parameters[static_cast<std::size_t>(
+                       std::ranges::find(small, *nearest) - small.begin())])
+                 : std::nullopt;
+}
+
+std::string no_parameter(std::string_view name, const Model& model) {
+  const auto meant =
+      parameter_meant(name, each_of<std::string>(model.parameters, &ModelParameter::name));
+  return fmt::format(
+      "no parameter is called {}; {}", shown(name),
+      meant ? fmt::format("did you mean {}?", shown(*meant)) : "write it as the model does");
 }
 
 }  // namespace changeover

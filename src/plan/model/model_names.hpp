@@ -35,4 +35,11 @@ class ModelNames {
   std::vector<std::unordered_map<std::string, Element>> values_;  // by parameter
 };
 
+/// The one of these parameters that was probably meant by a name that none of them has.
+[[nodiscard]] std::optional<std::string> parameter_meant(
+    std::string_view name, const std::vector<std::string>& parameters);
+
+/// The message for a name that no parameter of the model has.
+[[nodiscard]] std::string no_parameter(std::string_view name, const Model& model);
+
 }  // namespace changeover

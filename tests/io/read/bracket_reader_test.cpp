@@ -101,7 +101,12 @@ TEST(BracketReader, RefusesWhatIsNotBlocks) {
   refuses("{{{A,B}}}", "f:1:3: a bracket within a block; write each block as {A,B,C}");
   refuses("{A,B)", "f:1:5: this bracket closes none that is open; correct it");
   refuses("{A,B", "f:1:1: this bracket is not closed; close it");
-  refuses("{A,B}}", "f:1:6: '}' is in no bracket; write each block as {A,B,C}");
+  refuses("{A,B}}", "f:1:6: this bracket closes none that is open; correct it");
+  refuses("{1,2, // x\n3}", "f:1:7: '//' is not an element; begin a comment with #");
+  refuses("{a : 1}", "f:1:4: ':' is not an element; write every block as {A,B,C}");
+  refuses("{1,…,3}", "f:1:4: '…' is not an element; write every block as {A,B,C}");
+  refuses("{},{1}", "f:1:1: block 1 is empty; remove it");
+  refuses("{1},{2}", "f:1:1: strength = 2 exceeds k = 1: no block holds that many elements");
   refuses("{'A,B}", "f:1:2: a quote is opened and not closed; close it");
   refuses("{'A'B}", "f:1:5: a name goes on after its quote; correct it");
   EXPECT_REFUSAL((void)read_brackets(*input_from_text("# x\n", "f")), BadInput,
@@ -114,18 +119,27 @@ TEST(BracketReader, RefusesWhatIsNotBlocks) {
 }
 
 TEST(BracketReader, LinesOfTextHaveNoSuchSigns) {
-  refuses("A B D\nx (B C\n", "f:2:3: '(B' has a bracket; write every block as {A,B,C}, or none");
+  refuses("A B D\nx (B C\n",
+          "f:2:3: '(B' has a bracket; write every block as {A,B,C}, or list all names in a line "
+          "'# labels: …'");
   refuses("B: A B D\n", "f:1:1: 'B:' looks like the name of the block; leave it out");
   refuses("1. A B D\n", "f:1:1: '1.' looks like the name of the block; leave it out");
   refuses("A B D % first\n", "f:1:7: '%' is not an element; begin a comment with #");
   refuses("B =\n", "f:1:3: '=' is not an element; write every block as {A,B,C}");
   refuses("gap> 1 2\n", "f:1:1: 'gap>' is not an element; write every block as {A,B,C}");
-  refuses("a{A,B},{B,C}\n", "f:1:5: 'B}' has a bracket; write every block as {A,B,C}, or none");
-  refuses("B: {A,B}\n", "f:1:1: 'B: {A' has a bracket; write every block as {A,B,C}, or none");
+  refuses("a{A,B},{B,C}\n",
+          "f:1:1: 'a{A' has a bracket; write every block as {A,B,C}, or list all names in a line "
+          "'# labels: …'");
+  refuses("B: {A,B}\n",
+          "f:1:1: 'B: {A' has a bracket; write every block as {A,B,C}, or list all names in a line "
+          "'# labels: …'");
   refuses("ABD\nBCE\n",
           "f:1:1: each block has one element; separate the elements of a block by blanks");
   EXPECT_EQ(read("# labels: B: (A %\nB: (A %\n").v(), 3U);
   EXPECT_EQ(read("# changeover design v=2\na: b\n").v(), 2U);
+  for (const char* names : {"A(1) A(2)\nA(1) A(3)\n", "f[0],f[1]\nf[0],f[2]\n"}) {
+    EXPECT_EQ(read(names).v(), 3U) << names;  // brackets that belong to names
+  }
 }
 
 }  // namespace

@@ -9,11 +9,11 @@
 #include "core/contains.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
-#include "core/spelling.hpp"
 #include "core/words.hpp"
 #include "io/write/csv_cell.hpp"
 #include "plan/job/parts/heading_words.hpp"
 #include "plan/job/setups/hidden_tests.hpp"
+#include "plan/model/model_names.hpp"
 
 namespace changeover {
 namespace {
@@ -46,19 +46,9 @@ std::pair<std::size_t, std::size_t> among_parameters(const Heads& heads,
   return {begin, end < heads.size() ? end : columns.slots.back() + 1};
 }
 
-// The parameter that was meant by a name, if there was a slip.
-std::optional<std::string> misspelled(const std::string& name,
-                                      const std::vector<std::string>& parameters) {
-  const auto small = each_of<std::string>(parameters, lower_case);
-  const auto nearest = nearest_word(lower_case(name), small);
-  return nearest ? std::optional(parameters[static_cast<std::size_t>(
-                       std::ranges::find(small, *nearest) - small.begin())])
-                 : std::nullopt;
-}
-
 void refuse_a_slip(const Field& head, const std::string& name,
                    const std::vector<std::string>& parameters, const RowReader& reader) {
-  if (const auto meant = misspelled(name, parameters)) {
+  if (const auto meant = parameter_meant(name, parameters)) {
     reader.fail(head, fmt::format("no parameter is called {}; did you mean {}? if it is "
                                   "another one, rename the column",
                                   shown(name), shown(*meant)));

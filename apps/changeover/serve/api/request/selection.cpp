@@ -27,8 +27,9 @@ void refuse_if_long(const Parameters& p, std::uint64_t b) {
   if (b > most_blocks || b > most_answer_bytes / bytes_of_a_number / p.k) {
     throw Refusal{
         413, fmt::format("{} has {} blocks, too many for a page; changeover design {} {} --change "
-                         "{} --{} --format text -o FILE writes it",
-                         name(p), b, p.v, p.k, p.change, to_string(p.kind))};
+                         "{} --{}{} --format text -o FILE writes it",
+                         name(p), b, p.v, p.k, p.change, to_string(p.kind),
+                         p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength))};
   }
 }
 
