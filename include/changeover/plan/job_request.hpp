@@ -140,6 +140,8 @@ struct ReadJob {
   std::vector<TestedSetup> results;        ///< tests that passed or failed
   std::uint64_t unread = 0;                ///< number of results that are not understood
   std::vector<UnreadResult> first_unread;  ///< the first of these
+  /// The note on tests with a result that a diagnosis leaves out; empty if there is none.
+  std::string left_out;
   /// The request with its lists as rows, without the tests that were done: it needs no file.
   JobRequest question;
 };

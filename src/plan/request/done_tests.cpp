@@ -454,12 +454,14 @@ class DoneTaker {
     std::vector<std::string>& notes = answer_.notes;
     notes.insert(notes.end(), list_.notes.begin(), list_.notes.end());
     if (failed_with_gone_ > 0) {
-      notes.push_back(fmt::format(
+      answer_.left_out = fmt::format(
           "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} "
           "out",
-          name_, count_of(failed_with_gone_, "test"), failed_with_gone_ == 1 ? "it" : "them"));
+          name_, count_of(failed_with_gone_, "test"), failed_with_gone_ == 1 ? "it" : "them");
+      notes.push_back(answer_.left_out);
     }
     if (std::string note = hidden_.said(name_); !note.empty()) {
+      answer_.left_out = note;
       notes.push_back(std::move(note));
     }
     note_unread(*options_, *words_, answer_);

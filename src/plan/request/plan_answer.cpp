@@ -59,6 +59,10 @@ std::tuple<bool, std::size_t, Amount> worth_of(const Diagnosis& found) {
 // least.
 void diagnose_results(const CheckedJobRequest& asked, PlanAnswer& answer) {
   if (asked->results.empty()) {
+    if (!asked->left_out.empty()) {
+      throw BadInput(asked->left_out +
+                     "; no other result says pass or fail: run more tests, and fill in theirs");
+    }
     throw BadInput(
         asked->unread == 0
             ? asked->done_from + ": no result says pass or fail; fill in the column result"

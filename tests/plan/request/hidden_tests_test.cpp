@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "changeover/plan/model.hpp"
+#include "message_of.hpp"
 #include "request/workbook/planned_workbook.hpp"
 #include "run_workbooks.hpp"
 
@@ -242,6 +243,38 @@ TEST_F(HiddenTests, AreNamedOnce) {
   asked = *checked_job(request, Door::document);
   EXPECT_EQ(asked.job->needed.size(), 2U);
   EXPECT_THAT(asked.notes, Not(Contains(HasSubstr("may have hidden"))));
+}
+
+TEST_F(HiddenTests, AreNotThoseWithARemarkOfThatSign) {
+  request.diagnose = true;
+  request.steps.reset();
+  for (const std::string own : {"Duration", "Remark"}) {
+    read("A: 1, 2\nB: x, y\nC: u, v\n", "step,A,B,C,result," + own +
+                                            "\n1,1,x,u,pass,~5 min\n2,1,y,v,pass,~5 min\n"
+                                            "3,2,x,v,fail,~6 min\n4,2,y,u,fail,~ok\n");
+    EXPECT_EQ(asked.results.size(), 4U);
+    EXPECT_EQ(asked.job->needed.size(), 6U);
+    EXPECT_THAT(asked.notes, Not(Contains(HasSubstr("may have hidden"))));
+  }
+}
+
+TEST_F(HiddenTests, AreNamedIfADiagnosisHasNoOthers) {
+  request.diagnose = true;
+  request.steps.reset();
+  request.model.text = "A: 1, 2\nB: x, y\nC: u, v\n";
+  const auto why = [&](const std::string& done) {
+    request.done.text = done;
+    return test::message_of([&] { static_cast<void>(planned()); });
+  };
+  EXPECT_EQ(
+      why("step,A,B,C,result\n1,~-1,x,u,pass\n2,~-1,y,v,fail\n"),
+      "done: the test in row 2 had '~-1', which is no value out of range any more, as in 1 "
+      "other test; an error may have hidden their pairs, so they do not count, and a diagnosis "
+      "leaves them out; no other result says pass or fail: run more tests, and fill in theirs");
+  EXPECT_EQ(
+      why("step,A,B,C,D,result\n1,1,x,u,7,fail\n"),
+      "done: 1 test failed with a part that is gone, which may be to blame: a diagnosis leaves "
+      "it out; no other result says pass or fail: run more tests, and fill in theirs");
 }
 
 // A failure may be that of the value that is gone.

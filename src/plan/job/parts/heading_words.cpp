@@ -241,6 +241,10 @@ bool heads_reasons(std::string_view text) {
   return is_among(lower_case(text), all);
 }
 
+bool heads_remarks(std::string_view text) {
+  return std::ranges::any_of(heading_words(text), heads_reasons);
+}
+
 bool heads_part_of_pair(std::string_view text) {
   constexpr auto others = std::to_array<std::string_view>(
       {"a", "b", "x", "y", "with", "not with", "and", "never with", "left", "right", "one", "other",

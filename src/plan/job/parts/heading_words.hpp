@@ -39,6 +39,8 @@ namespace changeover {
 [[nodiscard]] bool heads_weights(std::string_view text);
 /// The reasons why pairs are forbidden: "why", "Reason", "Comment".
 [[nodiscard]] bool heads_reasons(std::string_view text);
+/// Remarks on tests or results, by any of its words: "Comment", "Result note", "Bemerkung".
+[[nodiscard]] bool heads_remarks(std::string_view text);
 /// One of the two parts of a pair: as heads_parts(), or "A", "Part B", "with".
 [[nodiscard]] bool heads_part_of_pair(std::string_view text);
 

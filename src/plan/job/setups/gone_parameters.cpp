@@ -21,7 +21,17 @@ namespace {
 // Whether a head is that of a column which is no parameter.
 bool is_of_the_users_own(const std::string& head) {
   return own_head_meant(head) != nullptr || heads_results(head) || heads_steps(head) ||
-         heads_occasions(head);
+         heads_occasions(head) || heads_remarks(head);
+}
+
+// Whether something says that the program wrote the sheet. A list by hand has columns of the user's
+// own anywhere.
+bool is_run_sheet(const Heads& heads, const SetupColumns& columns) {
+  return columns.step || std::ranges::any_of(heads, [](const std::string& head) {
+           const OwnHead* const own = own_head_meant(head);
+           return (own != nullptr && (own->is_planned || own->counts_new)) ||
+                  place_in(csv_text(head));
+         });
 }
 
 // Where unknown heads are those of parameters: behind what the program writes before them, and
@@ -69,6 +79,7 @@ void GoneParameters::find(const Row& header, const PartFinder& finder, const Row
   for (const std::string& name : others) {
     may_be.push_back(*names_->parameter(name));
   }
+  is_by_hand_ = !is_run_sheet(heads, columns);
   const auto [begin, end] = among_parameters(heads, columns);
   for (std::size_t i = 0; i < heads.size(); ++i) {
     const std::string name = parameter_in(heads[i]);
@@ -84,12 +95,14 @@ void GoneParameters::find(const Row& header, const PartFinder& finder, const Row
     columns_.push_back({.slot = 0, .head = &header[i], .may_be = may_be});
   }
   for (std::size_t i = 0; i < heads.size(); ++i) {
-    const bool is_known = columns.have(i) || heads[i].empty() || is_of_the_users_own(heads[i]);
-    if (!is_known) {
-      others_.push_back(i);
-      if (i < columns.slots.front() && !heads_row_numbers(heads[i])) {
-        before_.push_back(&header[i]);
-      }
+    const bool is_known = columns.have(i) || heads[i].empty() || is_of_the_users_own(heads[i]) ||
+                          heads_row_numbers(heads[i]) || (is_by_hand_ && heads_times(heads[i]));
+    const bool is_before = i < columns.slots.front();
+    if (!is_known && is_before) {
+      before_.push_back(&header[i]);
+    }
+    if (!is_known && is_by_hand_ && (is_before || !columns.result)) {
+      beside_.push_back(i);
     }
   }
   std::size_t next = 0;
@@ -109,8 +122,8 @@ void GoneParameters::take(std::size_t slot, const std::string& text) {
 }
 
 void GoneParameters::look_beside(const Row& row, const PartFinder& finder, DoneRow& done) const {
-  for (const std::size_t i : others_) {
-    if (i < row.size()) {
+  for (const std::size_t i : beside_) {
+    if (i < row.size() && row[i].text.find(' ') == std::string::npos) {
       keep_if_hiding(finder, row[i].text, std::nullopt, done);
     }
   }

@@ -24,8 +24,9 @@ class GoneParameters {
 
   /// Looks at what is in such a column.
   void take(std::size_t slot, const std::string& text);
-  /// Looks at the columns of a row that have no meaning here: in a list by hand one may be that of
-  /// a parameter, and what is written there as a value out of range may have hidden the rest.
+  /// Looks at the columns of a list by hand that may be those of a parameter, though they are not
+  /// among the others: in front of them, or behind them in a list without results. One word there
+  /// that is written as a value out of range may have hidden the rest.
   void look_beside(const Row& row, const PartFinder& finder, DoneRow& done) const;
 
   /// Notes each column, and which parameter it may be instead, if all of its values are its own;
@@ -42,7 +43,8 @@ class GoneParameters {
 
   const ModelNames* names_ = nullptr;
   std::vector<Column> columns_;
-  std::vector<std::size_t> others_;   // columns of the user's own, or of a parameter
+  bool is_by_hand_ = false;           // nothing says that the program wrote the sheet
+  std::vector<std::size_t> beside_;   // columns that may be those of a parameter
   std::vector<const Field*> before_;  // the heads of those in front of all parameters
 };
 

@@ -12,18 +12,10 @@
 #include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
-namespace {
-
-// Remarks on results are none.
-bool heads_remarks(const std::string& head) {
-  const std::vector<std::string> words = heading_words(head);
-  return std::ranges::any_of(words, heads_reasons);
-}
-
-}  // namespace
 
 void OtherResults::find(const Row& header, const SetupColumns& columns) {
   for (std::size_t i = 0; i < header.size(); ++i) {
+    // Remarks on results are none.
     if (columns.have(i) || heads_remarks(header[i].text) ||
         own_head(lower_case(header[i].text)) != nullptr) {
       continue;

@@ -160,11 +160,26 @@ TEST(GoneParameters, InAListByHandAColumnInFrontMayBeOne) {
               ElementsAre("d.csv:1:1: the column 'Lang' is not read; if it is a parameter "
                           "that the model had, head it 'slot_3 Lang'"));
   EXPECT_EQ(list.rows[0].hidden_by, "~xx");
-  EXPECT_EQ(list.rows[1].hidden_by, "~2");
+  EXPECT_EQ(list.rows[1].hidden_by, "");  // behind the results
   EXPECT_EQ(list.rows[2].hidden_by, "");
+  EXPECT_EQ(read("OS,Browser,Lang\nArch,Edge,~xx\n", model).rows[0].hidden_by, "~xx");
   for (const char* head : {"Nr", "Date", "Tester"}) {
     EXPECT_THAT(read(std::string(head) + ",OS,Browser,result\n1,Arch,Edge,pass\n", model).notes,
                 Not(Contains(HasSubstr("a parameter"))));
+  }
+}
+
+TEST(GoneParameters, WhatColumnsOfTheUserSayHidesNothing) {
+  const std::string model = "OS: Arch, BSD\nBrowser: Edge, Opera\n";
+  for (const std::string own : {"Duration", "Remark", "Date"}) {
+    for (const std::string text :
+         {own + ",OS,Browser,result\n~5,Arch,Edge,pass\n",
+          "OS,Browser,result," + own + "\nArch,Edge,pass,~5\n",
+          "OS,Browser," + own + "\nArch,Edge,~5\n",
+          "Rack," + own + ",OS,Browser,result\n~5 or so,~5,Arch,Edge,pass\n",
+          "step,OS,Browser,result,Rack," + own + "\n1,Arch,Edge,pass,~5,~5\n"}) {
+      EXPECT_EQ(read(text, model).rows[0].hidden_by, "") << text;
+    }
   }
 }
 
