@@ -410,7 +410,7 @@ class SetupReader {
       if (columns_.is_gone(c)) {
         gone_parameters_.take(c, text);
         keep_if_hiding(finder_, text, std::nullopt, done);
-        done.lacks = done.lacks || !text.empty();
+        done.lacks = done.lacks || (gone_parameters_.are_certain() && !text.empty());
         done.written.push_back(text);
         slot.text.clear();
       } else if (c < columns_.parameters.size()) {

@@ -80,6 +80,9 @@ void GoneParameters::find(const Row& header, const PartFinder& finder, const Row
     may_be.push_back(*names_->parameter(name));
   }
   is_by_hand_ = !is_run_sheet(heads, columns);
+  const auto is_users = [&](const std::string& head) {
+    return is_of_the_users_own(head) || (is_by_hand_ && heads_times(head));
+  };
   const auto [begin, end] = among_parameters(heads, columns);
   for (std::size_t i = 0; i < heads.size(); ++i) {
     const std::string name = parameter_in(heads[i]);
@@ -89,14 +92,17 @@ void GoneParameters::find(const Row& header, const PartFinder& finder, const Row
       continue;
     }
     refuse_a_slip(header[i], name, others, reader);
+    if (is_users(heads[i]) && !place_in(csv_text(heads[i]))) {
+      continue;
+    }
     const auto at = std::ranges::lower_bound(columns.slots, i) - columns.slots.begin();
     columns.slots.insert(columns.slots.begin() + at, i);
     columns.parameters.insert(columns.parameters.begin() + at, SetupColumns::gone);
     columns_.push_back({.slot = 0, .head = &header[i], .may_be = may_be});
   }
   for (std::size_t i = 0; i < heads.size(); ++i) {
-    const bool is_known = columns.have(i) || heads[i].empty() || is_of_the_users_own(heads[i]) ||
-                          heads_row_numbers(heads[i]) || (is_by_hand_ && heads_times(heads[i]));
+    const bool is_known =
+        columns.have(i) || heads[i].empty() || is_users(heads[i]) || heads_row_numbers(heads[i]);
     const bool is_before = i < columns.slots.front();
     if (!is_known && is_before) {
       before_.push_back(&header[i]);
@@ -137,15 +143,22 @@ void GoneParameters::say(const RowReader& reader, DoneList& list) const {
       instead = fmt::format("; if it is {}, whose values it has, head it so", shown(name));
     }
     list.notes.push_back(
-        fmt::format("{}: the parameter {} is no longer in the model, so its column is not read{}",
-                    reader.place(*column.head), shown(parameter_in(column.head->text)), instead));
+        is_by_hand_ ? not_read(*column.head, reader) + instead
+                    : fmt::format("{}: the parameter {} is no longer in the model, so its column "
+                                  "is not read{}",
+                                  reader.place(*column.head),
+                                  shown(parameter_in(column.head->text)), instead));
   }
   for (const Field* const head : before_) {
-    list.notes.push_back(fmt::format(
-        "{}: the column {} is not read; if it is a parameter that the model had, head it {}",
-        reader.place(*head), shown(head->text),
-        shown(fmt::format("slot_{} {}", names_->model().parameters.size() + 1, head->text))));
+    list.notes.push_back(not_read(*head, reader));
   }
+}
+
+std::string GoneParameters::not_read(const Field& head, const RowReader& reader) const {
+  return fmt::format(
+      "{}: the column {} is not read; if it is a parameter that the model had, head it {}",
+      reader.place(head), shown(head.text),
+      shown(fmt::format("slot_{} {}", names_->model().parameters.size() + 1, head.text)));
 }
 
 void note_unread_columns(const Row& header, const PartFinder& finder, const RowReader& reader,

@@ -22,6 +22,10 @@ class GoneParameters {
   void find(const Row& header, const PartFinder& finder, const RowReader& reader,
             SetupColumns& columns);
 
+  /// Whether such columns certainly had values of a parameter: a test with one there may have failed
+  /// by it. In a list by hand they may be of the user's own.
+  [[nodiscard]] bool are_certain() const { return !is_by_hand_; }
+
   /// Looks at what is in such a column.
   void take(std::size_t slot, const std::string& text);
   /// Looks at the columns of a list by hand that may be those of a parameter, though they are not
@@ -29,7 +33,7 @@ class GoneParameters {
   /// that is written as a value out of range may have hidden the rest.
   void look_beside(const Row& row, const PartFinder& finder, DoneRow& done) const;
 
-  /// Notes each column, and which parameter it may be instead, if all of its values are its own;
+  /// Notes each column, in a list by hand with the head that it needs to be one, and which parameter it may be instead, if all of its values are its own;
   /// and columns in front that may be one.
   void say(const RowReader& reader, DoneList& list) const;
 
@@ -40,6 +44,8 @@ class GoneParameters {
     std::vector<std::size_t> may_be;  // parameters without a column that have all values here
     bool has_values = false;
   };
+
+  [[nodiscard]] std::string not_read(const Field& head, const RowReader& reader) const;
 
   const ModelNames* names_ = nullptr;
   std::vector<Column> columns_;

@@ -183,6 +183,30 @@ TEST(GoneParameters, WhatColumnsOfTheUserSayHidesNothing) {
   }
 }
 
+// Also between parameters; by hand, failures are then not blamed on what may be none.
+TEST(GoneParameters, ColumnsOfTheUserAmongParametersAreNone) {
+  const std::string model = "A: 1, 2\nB: x, y\nC: u, v\n";
+  for (const std::string own : {"Operator", "Uhrzeit", "Comment", "Bemerkung", "Result note"}) {
+    for (const std::string text :
+         {"A," + own + ",B,C,result\n1,~n,x,u,fail\n", "A,B,C," + own + ",result\n1,x,u,~n,fail\n",
+          "step,A," + own + ",B,C,result\n1,1,~n,x,u,fail\n"}) {
+      const DoneList list = read(text, model);
+      EXPECT_THAT(list.notes, Not(Contains(HasSubstr("parameter")))) << text;
+      EXPECT_FALSE(list.rows[0].lacks) << text;
+      EXPECT_EQ(list.rows[0].hidden_by, "") << text;
+      EXPECT_THAT(list.rows[0].setup, ElementsAre(0, 2, 4)) << text;
+      EXPECT_EQ(list.rows[0].result, "fail") << text;
+    }
+  }
+  DoneList list = read("A,Ticket,B,C,result\n1,40,x,u,fail\n", model);
+  EXPECT_THAT(list.notes, ElementsAre("d.csv:1:3: the column 'Ticket' is not read; if it is a "
+                                      "parameter that the model had, head it 'slot_4 Ticket'"));
+  EXPECT_FALSE(list.rows[0].lacks);
+  list = read("A,slot_4 Ticket,B,C,result\n1,40,x,u,fail\n", model);
+  EXPECT_THAT(list.notes, ElementsAre(HasSubstr("the parameter 'Ticket' is no longer in the")));
+  EXPECT_TRUE(list.rows[0].lacks);
+}
+
 TEST(GoneParameters, ColumnsOfTheUserAreNoParameters) {
   const std::string model = "OS: Arch, BSD\nBrowser: Edge, Opera\n";
   EXPECT_THAT(read("Tester,OS,Browser,result,Rack\nAnn,Arch,Edge,pass,7\n", model).notes,
