@@ -264,7 +264,7 @@ TEST_F(HiddenTests, AreNamedIfADiagnosisHasNoOthers) {
   request.model.text = "A: 1, 2\nB: x, y\nC: u, v\n";
   const auto why = [&](const std::string& done) {
     request.done.text = done;
-    return test::message_of([&] { static_cast<void>(planned()); });
+    return message_of([&] { static_cast<void>(planned()); });
   };
   EXPECT_EQ(
       why("step,A,B,C,result\n1,~-1,x,u,pass\n2,~-1,y,v,fail\n"),

@@ -172,7 +172,7 @@ TEST(GoneParameters, InAListByHandAColumnInFrontMayBeOne) {
 TEST(GoneParameters, WhatColumnsOfTheUserSayHidesNothing) {
   const std::string model = "OS: Arch, BSD\nBrowser: Edge, Opera\n";
   for (const std::string own : {"Duration", "Remark", "Date"}) {
-    for (const std::string text :
+    for (const std::string& text :
          {own + ",OS,Browser,result\n~5,Arch,Edge,pass\n",
           "OS,Browser,result," + own + "\nArch,Edge,pass,~5\n",
           "OS,Browser," + own + "\nArch,Edge,~5\n",
@@ -187,7 +187,7 @@ TEST(GoneParameters, WhatColumnsOfTheUserSayHidesNothing) {
 TEST(GoneParameters, ColumnsOfTheUserAmongParametersAreNone) {
   const std::string model = "A: 1, 2\nB: x, y\nC: u, v\n";
   for (const std::string own : {"Operator", "Uhrzeit", "Comment", "Bemerkung", "Result note"}) {
-    for (const std::string text :
+    for (const std::string& text :
          {"A," + own + ",B,C,result\n1,~n,x,u,fail\n", "A,B,C," + own + ",result\n1,x,u,~n,fail\n",
           "step,A," + own + ",B,C,result\n1,1,~n,x,u,fail\n"}) {
       const DoneList list = read(text, model);
