@@ -72,6 +72,7 @@ struct ListRow {
 struct RequestList {
   std::string file = {};                          ///< its path; "-": standard input
   std::optional<std::string> text = {};           ///< the text of such a file
+  std::string name = {};                          ///< of the file that had it; empty: none had
   std::optional<std::string> workbook = {};       ///< the bytes of a workbook (.xlsx)
   std::string sheet = {};                         ///< of that workbook; empty: the first one
   std::optional<std::vector<ListRow>> rows = {};  ///< each of the list's shape

@@ -280,7 +280,7 @@ std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
     return record.shape == RowShape::document ? open_input(list.file) : open_list(list.file);
   }
   if (list.text) {
-    return input_from_text(*list.text, spelled);
+    return input_from_text(*list.text, list.name.empty() ? spelled : list.name);
   }
   if (list.workbook) {
     auto bytes = input_from_text(*list.workbook, spelled);

@@ -46,7 +46,8 @@ class Question {
   [[nodiscard]] bool has_file() const {
     return std::ranges::any_of(job_table().options, [&](const auto& option) {
       const auto* const field = std::get_if<RequestList JobRequest::*>(&option.field);
-      return field != nullptr && !(request_.**field).file.empty();
+      return field != nullptr &&
+             !((request_.**field).file.empty() && (request_.**field).name.empty());
     });
   }
 

@@ -395,14 +395,15 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWor
 // Another model than that of the question may lack values which the lists of the question name.
 void take_other_model(JobRequest& request, JobRequest& question, const std::string& book,
                       bool has_costs_of_book, std::vector<std::string>& notes) {
-  if (request.model.file == "-") {
-    return;  // it can be read only once
-  }
-  const auto read = [](const RequestList& list) {
-    return read_model(*open(list, option_of(job_table(), "model").record, "model"));
+  const auto opened = [](const RequestList& list) {
+    return open(list, option_of(job_table(), "model").record, "model");
   };
-  const Model model = read(request.model);
-  const Job before = job_of(read(question.model), Amount{}, Amount{});  // with all values
+  if (!request.model.file.empty()) {  // its text stays: a pipe can be read only once
+    const auto input = opened(request.model);
+    request.model = {.text = text_of_model(*input), .name = input->name()};
+  }
+  const Model model = read_model(*opened(request.model));
+  const Job before = job_of(read_model(*opened(question.model)), Amount{}, Amount{});  // all values
   JobRequest lists = question;
   if (has_costs_of_book && request.change_costs.rows) {
     lists.change_costs = request.change_costs;
