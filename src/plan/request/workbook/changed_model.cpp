@@ -5,16 +5,21 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <ranges>
 #include <utility>
 
+#include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
 #include "core/contains.hpp"
 #include "core/each.hpp"
+#include "core/printable.hpp"
+#include "io/request/request_document.hpp"
 #include "io/request/request_rows.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"
 #include "plan/model/model_names.hpp"
 #include "plan/model/model_text.hpp"
+#include "plan/request/parts_left.hpp"
 
 namespace changeover {
 namespace {
@@ -121,8 +126,9 @@ class ModelChange {
   std::vector<std::string> gone_;
 };
 
-}  // namespace
-
+// Leaves out of the lists of a question whose job was `before` what names values or parameters that
+// the model has no more; returns their names. All others get their full names, "OS: Debian", which
+// mean the same in both models.
 std::vector<std::string> fit_to_model(JobRequest& question, const Job& before, const Model& model) {
   ModelChange change(before, model);
   for (auto* const words : {&question.mounted, &question.start, &question.without}) {
@@ -149,6 +155,48 @@ std::vector<std::string> fit_to_model(JobRequest& question, const Job& before, c
     change.fit_benches(question.benches);
   }
   return std::move(change).gone();
+}
+
+// Without its pairs a question would be about nothing, or about all pairs.
+void refuse_lost_pairs(const JobRequest& question, const JobRequest& fitted,
+                       const std::string& book) {
+  const auto has_rows = [](const RequestList& list) { return list.rows && !list.rows->empty(); };
+  if (has_rows(question.pairs) && !has_rows(fitted.pairs)) {
+    throw BadInput(fmt::format(
+        "{}: each of the pairs that were to be tested, as {}, has a value that is no longer in the "
+        "model; list other pairs",
+        book, joined(question.pairs.rows->front().fields | std::views::take(2), shown)));
+  }
+}
+
+}  // namespace
+
+void take_other_model(JobRequest& request, JobRequest& question, const std::string& book,
+                      bool has_costs_of_book, std::vector<std::string>& notes) {
+  const auto opened = [](const RequestList& list) {
+    return open(list, option_of(job_table(), "model").record, "model");
+  };
+  if (!request.model.file.empty()) {  // its text stays: a pipe can be read only once
+    const auto input = opened(request.model);
+    request.model = {.text = text_of_model(*input), .name = input->name()};
+  }
+  const Model model = read_model(*opened(request.model));
+  const Job before = job_of(read_model(*opened(question.model)), Amount{}, Amount{});  // all values
+  JobRequest lists = question;
+  if (has_costs_of_book && request.change_costs.rows) {
+    lists.change_costs = request.change_costs;
+  }
+  const std::vector<std::string> gone = fit_to_model(lists, before, model);
+  if (!request.pairs.is_given()) {
+    refuse_lost_pairs(question, lists, book);
+  }
+  if (has_costs_of_book && request.change_costs.rows) {
+    request.change_costs = lists.change_costs;
+  }
+  question = std::move(lists);
+  if (!gone.empty()) {
+    notes.push_back(gone_note(book, gone, GoneFrom::model));
+  }
 }
 
 }  // namespace changeover

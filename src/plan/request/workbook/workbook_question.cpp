@@ -11,7 +11,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
-#include "changeover/plan/model.hpp"
 #include "core/contains.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
@@ -390,33 +389,6 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWor
   if (!taken.empty()) {
     notes.push_back(fmt::format("{}: {}, changed since the plan was made", book.name, taken));
   }
-}
-
-// Another model than that of the question may lack values which the lists of the question name.
-void take_other_model(JobRequest& request, JobRequest& question, const std::string& book,
-                      bool has_costs_of_book, std::vector<std::string>& notes) {
-  const auto opened = [](const RequestList& list) {
-    return open(list, option_of(job_table(), "model").record, "model");
-  };
-  if (!request.model.file.empty()) {  // its text stays: a pipe can be read only once
-    const auto input = opened(request.model);
-    request.model = {.text = text_of_model(*input), .name = input->name()};
-  }
-  const Model model = read_model(*opened(request.model));
-  const Job before = job_of(read_model(*opened(question.model)), Amount{}, Amount{});  // all values
-  JobRequest lists = question;
-  if (has_costs_of_book && request.change_costs.rows) {
-    lists.change_costs = request.change_costs;
-  }
-  const std::vector<std::string> gone = fit_to_model(lists, before, model);
-  if (gone.empty()) {
-    return;
-  }
-  if (has_costs_of_book && request.change_costs.rows) {
-    request.change_costs = lists.change_costs;
-  }
-  question = std::move(lists);
-  notes.push_back(gone_note(book, gone, GoneFrom::model));
 }
 
 // The question of the workbook comes first, then what was filled in.

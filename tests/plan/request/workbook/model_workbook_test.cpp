@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "changeover/plan/job_request.hpp"
 #include "changeover/plan/model.hpp"
 #include "message_of.hpp"
 #include "planned_workbook.hpp"
+#include "run_program.hpp"
 #include "run_workbooks.hpp"
 
 namespace changeover::model_workbook_test {
@@ -111,6 +114,57 @@ TEST_F(ModelWorkbook, AParameterThatWasTakenOutOfTheModelIsLeftOut) {
   EXPECT_EQ(last.size(), 2U);
   EXPECT_EQ(asked.benches[0].start, last);
   EXPECT_THAT(asked.benches[1].mounted.value_or(Block()), IsEmpty());
+}
+
+// A short name may mean two values of the other model.
+TEST_F(ModelWorkbook, ItsListsMeanTheSameValuesInAnotherModel) {
+  request.benches = {};
+  request.change_costs = {};
+  request.change_cost = "1";
+  request.model.text = "A: 1, 2, 3\nB: x, y, z\nC: u, v\n";
+  request.pairs.text = "1,z\n2,x\n2,u\n";
+  const std::string bytes = planned();
+  JobRequest other;
+  other.model.text = "A: 1, 2, 3\nB: x, y, z, 1\nC: u, v\n";
+  const OpenedRequest again = opened(bytes, other);
+  EXPECT_THAT(again.notes, Not(Contains(HasSubstr("no longer"))));
+  planned(again);
+  EXPECT_EQ(asked.job->needed.size(), 3U);
+  EXPECT_TRUE(asked.job->needed.contains(0, 5));  // 1 of A and z
+}
+
+TEST_F(ModelWorkbook, ItsPairsMayAllBeGoneFromTheModel) {
+  request.benches = {};
+  request.change_costs = {};
+  request.change_cost = "1";
+  request.model.text = "A: 1, 2, 3\nB: x, y, z\nC: u, v\n";
+  request.pairs.text = "1,z\n";
+  const std::string bytes = planned();
+  JobRequest other;
+  other.model.text = "A: 1, 2, 3\nB: x, y\nC: u, v\n";
+  EXPECT_EQ(
+      message_of([&] { (void)opened(bytes, other); }),
+      "parts: each of the pairs that were to be tested, as 'A: 1', 'B: z', has a value that is "
+      "no longer in the model; list other pairs");
+  other.pairs.text = "1,x\n";
+  planned(opened(bytes, other));
+  EXPECT_EQ(asked.job->needed.size(), 1U);
+}
+
+TEST_F(ModelWorkbook, AFileOfTheOtherModelIsReadOnce) {
+  const std::string bytes = planned();
+  const test::TemporaryFolder folder;
+  JobRequest other;
+  other.model.file = folder.file("m.txt");
+  test::spit(other.model.file, "OS: Debian, Fedora, ARM\nBrowser: Firefox, Edge\n");
+  const OpenedRequest again = opened(bytes, other);
+  std::filesystem::remove(other.model.file);
+  planned(again);
+  EXPECT_EQ(asked.job->parts(), 5U);
+  // Its name stays in messages, and it is at fault, not an option.
+  test::spit(other.model.file, "OS: Debian\nBrowser: Edge\n[OS] = \"x\";\n");
+  EXPECT_THAT(message_of([&] { planned(opened(bytes, other)); }),
+              HasSubstr(other.model.file + ":3:"));
 }
 
 TEST_F(ModelWorkbook, ValuesThatWereLeftOutBeforeMayBeGoneFromTheModel) {
