@@ -27,6 +27,7 @@ class FirstNoted {
   }
 
   [[nodiscard]] explicit operator bool() const { return count_ > 0; }
+  [[nodiscard]] std::uint64_t count() const { return count_; }
 
   [[nodiscard]] std::string said(std::string_view other) const {
     return count_ == 1 ? first_ : fmt::format("{}, as in {}", first_, count_of(count_ - 1, other));

@@ -5,7 +5,6 @@
 #include "changeover/plan/model.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
-#include "core/words.hpp"
 #include "plan/job/choices.hpp"
 
 namespace changeover {
@@ -32,36 +31,34 @@ void keep_if_hiding(const PartFinder& finder, const std::string& text, std::opti
 }
 
 bool HiddenTests::take(const Job& job, const DoneRow& test) {
-  const bool has_two = has_two_out_of_range(job, test.setup);
-  if (test.hidden_by.empty() && !has_two) {
+  if (!test.hidden_by.empty()) {
+    tests_.add([&] {
+      return fmt::format("the test in row {} had {}, which is no value out of range any more",
+                         test.line, shown(test.hidden_by));
+    });
+    return true;
+  }
+  if (!has_two_out_of_range(job, test.setup)) {
     return false;
   }
-  if (!first_.empty()) {
-    ++others_;
-    return true;
-  }
-  if (!test.hidden_by.empty()) {
-    first_ = fmt::format("the test in row {} had {}, which is no value out of range any more",
-                         test.line, shown(test.hidden_by));
-    return true;
-  }
-  Block both = test.setup;
-  std::erase_if(both, [&](Element x) { return !job.model->value(x).negative; });
-  first_ = fmt::format("the test in row {} had more than one value out of range, {}", test.line,
+  tests_.add([&] {
+    Block both = test.setup;
+    std::erase_if(both, [&](Element x) { return !job.model->value(x).negative; });
+    return fmt::format("the test in row {} had more than one value out of range, {}", test.line,
                        joined(both, [&](Element x) { return shown(job.names[x]); }));
+  });
   return true;
 }
 
 std::string HiddenTests::said(const std::string& name) const {
-  if (first_.empty()) {
+  if (!tests_) {
     return "";
   }
-  const bool is_one = others_ == 0;
+  const bool is_one = tests_.count() == 1;
   return fmt::format(
-      "{}: {}{}; an error may have hidden {} pairs, so they do not count, and a diagnosis leaves "
-      "{} out",
-      name, first_, is_one ? "" : fmt::format(", as in {}", count_of(others_, "other test")),
-      is_one ? "its" : "their", is_one ? "it" : "them");
+      "{}: {}; an error may have hidden {} pairs, so they do not count, and a diagnosis leaves {} "
+      "out",
+      name, tests_.said("other test"), is_one ? "its" : "their", is_one ? "it" : "them");
 }
 
 }  // namespace changeover

@@ -2,12 +2,12 @@
 // hidden all that was tested beside it, so that none of its pairs counts.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "changeover/plan/job.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/job/setups/first_noted.hpp"
 
 namespace changeover {
 
@@ -28,8 +28,7 @@ class HiddenTests {
   [[nodiscard]] std::string said(const std::string& name) const;
 
  private:
-  std::string first_;  // the row of the first one, and its values
-  std::uint64_t others_ = 0;
+  FirstNoted tests_;  // by row and values
 };
 
 }  // namespace changeover

@@ -14,6 +14,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
+#include "plan/job/setups/first_noted.hpp"
 #include "plan/request/workbook/run_workbook.hpp"
 
 namespace changeover {
@@ -64,8 +65,7 @@ void note_alike(const Input& input, const DoneList& list, std::vector<std::strin
   using Test = std::pair<std::vector<std::string>, Block>;
   std::map<Test, std::uint64_t> lines;  // by bench, result, notes and what is gone; and the parts
   const bool has_results = list.has_results();
-  std::string first;
-  std::uint64_t copies = 0;
+  FirstNoted copies;
   for (const DoneRow& row : list.rows) {
     if (row.step || (has_results && !was_run(row.result))) {
       continue;
@@ -75,15 +75,14 @@ void note_alike(const Input& input, const DoneList& list, std::vector<std::strin
     std::ranges::sort(test.second);
     test.first.insert(test.first.end(), {lower_case(row.bench), row.result, row.notes});
     const auto [known, is_new] = lines.emplace(std::move(test), row.line);
-    if (!is_new && copies++ == 0) {
-      first = fmt::format("rows {} and {} are alike", known->second, row.line);
+    if (!is_new) {
+      copies.add([&] { return fmt::format("rows {} and {} are alike", known->second, row.line); });
     }
   }
-  if (copies > 0) {
-    notes.push_back(fmt::format(
-        "{}: {}{}", name_of_list(input), first,
-        copies == 1 ? ", and both count; delete one if it is a copy"
-                    : fmt::format(", and {} more; all count: delete what is a copy", copies - 1)));
+  if (copies) {
+    notes.push_back(fmt::format("{}: {}{}", name_of_list(input), copies.said("other case"),
+                                copies.count() == 1 ? ", and both count; delete one if it is a copy"
+                                                    : "; all count: delete what is a copy"));
   }
 }
 

@@ -141,8 +141,8 @@ TEST(SheetsAgree, TestsWithoutANumberThatAreAlikeCountAndAreNoted) {
                                              "count; delete one if it is a copy"));
   EXPECT_EQ(two.lists[0].rows.size(), 5U);
   Sheets more(Named{{"Done", ",,A,B,pass\n,,A,B,pass\n,,A,B,pass\n,,A,C,\n,,A,C,\n"}});
-  EXPECT_THAT(more.agree().notes, ElementsAre("b.xlsx:Done: rows 2 and 3 are alike, and 1 more; "
-                                              "all count: delete what is a copy"));
+  EXPECT_THAT(more.agree().notes, ElementsAre("b.xlsx:Done: rows 2 and 3 are alike, as in 1 other "
+                                              "case; all count: delete what is a copy"));
 }
 
 }  // namespace
