@@ -12,6 +12,7 @@
 #include "core/checked.hpp"
 #include "core/contains.hpp"
 #include "core/printable.hpp"
+#include "core/small_letters.hpp"
 #include "core/words.hpp"
 #include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
@@ -268,14 +269,14 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
 }
 
 void find_names_twice(const std::vector<Bench>& benches, std::vector<std::string>& found) {
-  std::map<std::string, std::string> seen;  // sheets are found by names in any case
+  std::map<std::u32string, std::string> seen;  // sheets are found by names in any case
   for (std::size_t i = 0; i < benches.size(); ++i) {
     const std::string name = name_of(benches, i);
     if (const auto defect = text_defect(name)) {
       found.push_back(fmt::format("the name of bench {}: {}", i + 1, *defect));
       continue;
     }
-    const auto [before, is_new] = seen.emplace(lower_case(name), name);
+    const auto [before, is_new] = seen.emplace(in_small_letters(name), name);
     if (!is_new) {
       found.push_back(before->second == name
                           ? fmt::format("two benches are called {}; rename one", name)

@@ -9,6 +9,7 @@
 #include "core/contains.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
+#include "core/small_letters.hpp"
 #include "core/words.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
 #include "plan/sheet/sheet_document.hpp"
@@ -71,31 +72,6 @@ std::string first_units(std::string_view text, std::size_t most) {
     bytes += point.bytes;
   }
   return std::string(text.substr(0, bytes));
-}
-
-// Small letters for the capitals that benches may be named with: spreadsheets take "Ä" and "ä" for
-// one name.
-char32_t small_letter(char32_t c) {
-  const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
-  const bool by_32 = within(U'A', U'Z') || (within(U'À', U'Þ') && c != U'×') ||
-                     within(U'Α', U'Ϋ') || within(U'А', U'Я') || within(U'Ａ', U'Ｚ');
-  const bool even = within(U'Ā', U'ķ') || within(U'Ŋ', U'ŷ');  // capitals, each before its own
-  const bool odd = within(U'Ĺ', U'ň') || within(U'Ź', U'ž');
-  return by_32                                         ? c + 32
-         : within(U'Ѐ', U'Џ')                          ? c + 80
-         : (even && c % 2 == 0) || (odd && c % 2 == 1) ? c + 1
-         : c == U'Ÿ'                                   ? U'ÿ'
-                                                       : c;
-}
-
-std::u32string in_small_letters(std::string_view text) {
-  std::u32string letters;
-  while (!text.empty()) {
-    const CodePoint point = first_code_point(text);
-    letters += small_letter(point.value);
-    text.remove_prefix(point.bytes);
-  }
-  return letters;
 }
 
 // Whether a sheet may have it in its name, at the ends or within.

@@ -406,6 +406,11 @@ TEST(BenchStock, DefectsAreSaid) {
   benches[1].name = "NORTH";  // their sheets could not be told apart
   EXPECT_THAT(bench_defects(job, benches),
               Contains("the benches North and NORTH differ only in capitals; rename one"));
+  benches[0].name = "Äpfel";
+  benches[1].name = "äpfel";
+  EXPECT_THAT(bench_defects(job, benches),
+              Contains("the benches Äpfel and äpfel differ only in capitals; rename one"));
+  benches[0].name = "North";
   benches[1].name = "";
   benches[1].without = {2};
   benches[0].without = {2};
