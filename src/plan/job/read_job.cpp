@@ -143,7 +143,7 @@ class SetupReader {
     }
     if (columns_.header && forgiving_) {
       if (merged_ && !list_.has_results()) {
-        throw BadInput(merged_defect());
+        throw BadInput(merged_->what());
       }
       extra_rows_.say(list_);
       say_what_is_a_comment();
@@ -338,8 +338,6 @@ class SetupReader {
     }
     list_.rows.push_back(std::move(done));
   }
-
-  [[nodiscard]] std::string merged_defect() const { return merged_->what(); }
 
   // Cells that were merged in a row that was not run do no harm, unless no row has a result.
   void look_at_merged(const Row& row) {

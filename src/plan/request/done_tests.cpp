@@ -18,6 +18,7 @@
 #include "plan/job/part_finder.hpp"
 #include "plan/job/setups/first_noted.hpp"
 #include "plan/job/setups/hidden_tests.hpp"
+#include "plan/job/setups/results.hpp"
 #include "plan/job/setups/setup_list.hpp"
 #include "plan/job/setups/step_numbers.hpp"
 #include "plan/model/model_text.hpp"

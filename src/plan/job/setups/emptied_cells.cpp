@@ -7,7 +7,7 @@
 #include "core/contains.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
-#include "plan/job/setups/setup_list.hpp"
+#include "plan/job/setups/results.hpp"
 
 namespace changeover {
 namespace {

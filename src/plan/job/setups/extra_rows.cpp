@@ -11,7 +11,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/write/csv_cell.hpp"
-#include "plan/job/setups/setup_list.hpp"
+#include "plan/job/setups/results.hpp"
 
 namespace changeover {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "plan/job/parts/heading_words.hpp"
-#include "plan/job/setups/setup_list.hpp"
+#include "plan/job/setups/results.hpp"
 
 namespace changeover {
 

@@ -1,5 +1,5 @@
-// Interprets the column `result`. A doubtful result is unread, because a wrong pass would hide a
-// fault.
+#include "plan/job/setups/results.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -9,7 +9,6 @@
 #include "changeover/plan/job.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
-#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {

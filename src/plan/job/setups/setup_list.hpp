@@ -35,9 +35,6 @@ namespace changeover {
 /// nullopt if it may.
 [[nodiscard]] std::optional<std::string> setup_defect(const Job& job, const Block& setup);
 
-/// Whether what stands under `result` says that the test was run.
-[[nodiscard]] bool was_run(std::string_view result);
-
 /// What remains mounted of the last set-up that was done if fewer parts fit now: the parts that
 /// stay mounted, and then its first ones. `room` is that of the job if it is not given.
 [[nodiscard]] Block what_stays(const Job& job, const Block& setup,

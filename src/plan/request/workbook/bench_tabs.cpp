@@ -11,7 +11,7 @@
 #include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/bench_list.hpp"
-#include "plan/job/setups/setup_list.hpp"
+#include "plan/job/setups/results.hpp"
 #include "plan/request/workbook/sheets_agree.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
 

@@ -11,7 +11,7 @@
 #include "core/contains.hpp"
 #include "core/printable.hpp"
 #include "plan/job/bench_list.hpp"
-#include "plan/job/setups/setup_list.hpp"
+#include "plan/job/setups/results.hpp"
 
 namespace changeover {
 namespace {

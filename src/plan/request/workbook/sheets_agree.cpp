@@ -1,5 +1,4 @@
 #include "plan/request/workbook/sheets_agree.hpp"
-#include "plan/job/setups/setup_list.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +14,7 @@
 #include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/setups/first_noted.hpp"
+#include "plan/job/setups/results.hpp"
 #include "plan/request/workbook/run_workbook.hpp"
 
 namespace changeover {

@@ -1,5 +1,4 @@
 #include "plan/request/workbook/workbook_question.hpp"
-#include "plan/job/setups/setup_list.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,6 +21,7 @@
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
 #include "plan/job/parts/heading_words.hpp"
+#include "plan/job/setups/results.hpp"
 #include "plan/job/setups/step_numbers.hpp"
 #include "plan/request/asked_benches.hpp"
 #include "plan/request/parts_left.hpp"
