@@ -56,9 +56,9 @@ void plan_on_benches_with_stock(benchmark::State& state) {
                  static_cast<std::uint64_t>(state.range(1)), std::to_string(state.range(2)), 1);
   std::vector<Amount> prices = job.change_costs;
   std::sort(prices.begin(), prices.end());
-  const Amount dear = prices[prices.size() - static_cast<std::size_t>(state.range(4))];
+  const Amount costly = prices[prices.size() - static_cast<std::size_t>(state.range(4))];
   for (const Amount price : job.change_costs) {
-    job.quantities.push_back(price < dear ? enough_for_all : 1);
+    job.quantities.push_back(price < costly ? enough_for_all : 1);
   }
   count_plan(state, job, std::vector<Bench>(static_cast<std::size_t>(state.range(3))));
 }

@@ -194,8 +194,8 @@ class Diagnoses(unittest.TestCase):
             self.assertIn(
                 "change costs in 'Swap time (min)'; not used: 'Price'", "".join(sheet.notes)
             )
-            dear = changeover.plan(parts, 2, test_cost=10, cost_column="price")
-            self.assertGreater(dear.cost, sheet.cost)
+            costly = changeover.plan(parts, 2, test_cost=10, cost_column="price")
+            self.assertGreater(costly.cost, sheet.cost)
             run = pathlib.Path(folder) / "run.xlsx"
             run.write_bytes(sheet.to_xlsx())
             again = changeover.plan(run)

@@ -14,15 +14,15 @@ const std::string fast = " --quiet --threads 1 --steps 20000";
 TEST(Plan, CostsOfThePaper) {
   const TemporaryFolder folder;
   const std::string nine = "$changeover plan --items 9 -k 3 --quiet --test-cost ";
-  const std::string dear_changes = nine + "1 --change-cost 5 --steps 200000";
-  const std::string dear_tests = nine + "10 --change-cost 1 --threads 1 --steps 20000";
-  expect({{dear_changes, 0, "17 tests, 20 changes, cost 117\n"},
-          {dear_changes, 0, "SCCD(9,3) with 18"},
-          {dear_changes, 0, "  118 "},
-          {dear_changes, 0, "  137 "},
-          {dear_changes, 0, "no plan for all pairs is"},
-          {dear_tests, 0, "cost 145\n"},
-          {dear_tests, 0, "  200 "}},
+  const std::string costly_changes = nine + "1 --change-cost 5 --steps 200000";
+  const std::string costly_tests = nine + "10 --change-cost 1 --threads 1 --steps 20000";
+  expect({{costly_changes, 0, "17 tests, 20 changes, cost 117\n"},
+          {costly_changes, 0, "SCCD(9,3) with 18"},
+          {costly_changes, 0, "  118 "},
+          {costly_changes, 0, "  137 "},
+          {costly_changes, 0, "no plan for all pairs is"},
+          {costly_tests, 0, "cost 145\n"},
+          {costly_tests, 0, "  200 "}},
          folder);
 }
 

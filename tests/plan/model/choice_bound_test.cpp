@@ -150,9 +150,9 @@ TEST(ChoiceBound, OfManyParametersWithThreeValues) {
   for (const std::size_t k : {2U, 3U, 7U, 20U}) {
     const Model model = test::model_of(model_text(std::vector<std::uint32_t>(k, 3)));
     EXPECT_EQ(cost_bound(job_of(model, Amount{}, Amount{1})).cost, Amount{6 * k - 2}) << k;
-    Job dear = job_of(model, Amount{}, Amount{1});  // the expensive one saves two settings
-    std::fill_n(dear.change_costs.begin(), 3, Amount{3});
-    EXPECT_TRUE(k < 4 || cost_bound(dear).cost == Amount{6 * (k + 2) - 6}) << k;
+    Job costly = job_of(model, Amount{}, Amount{1});  // the expensive one saves two settings
+    std::fill_n(costly.change_costs.begin(), 3, Amount{3});
+    EXPECT_TRUE(k < 4 || cost_bound(costly).cost == Amount{6 * (k + 2) - 6}) << k;
   }
 }
 
@@ -272,10 +272,10 @@ class RowsOfThree {
     }
     return most_rows_;
   }
-  // Those of one row count `dear` times.
-  [[nodiscard]] std::size_t least_stays(std::size_t k, std::size_t dear) {
-    least_ = tests_ * (k + dear) + 1;
-    dear_ = dear;
+  // Those of one row count `costly` times.
+  [[nodiscard]] std::size_t least_stays(std::size_t k, std::size_t costly) {
+    least_ = tests_ * (k + costly) + 1;
+    costly_ = costly;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       look_from(i, k);
     }
@@ -355,7 +355,7 @@ class RowsOfThree {
   void add(Bits open, std::size_t rows, std::size_t stays, std::size_t fewest, std::size_t k) {
     most_rows_ = std::max(most_rows_, rows);
     if (rows == k) {
-      least_ = std::min(least_, stays + (dear_ - 1) * fewest);
+      least_ = std::min(least_, stays + (costly_ - 1) * fewest);
       return;
     }
     const std::vector<std::array<std::size_t, 2>> order = in_classes(open);
@@ -383,7 +383,7 @@ class RowsOfThree {
   std::vector<Bits> fits_;  // of others, to later ones
   std::size_t most_rows_ = 0;
   std::size_t least_ = 0;
-  std::size_t dear_ = 1;
+  std::size_t costly_ = 1;
 };
 
 // Theorem 27: six and seven stays in few tests.
@@ -401,13 +401,13 @@ TEST(ChoiceBound, OfThreeValuesInFewTests) {
     for (std::uint32_t tests = 9; tests <= (k == 3 ? 10U : 9U); ++tests) {
       RowsOfThree rows(tests, tests);
       EXPECT_GE(rows.least_stays(k, 1) + (tests - 1) / 3 + 2, 7 * k) << tests;
-      for (const std::uint32_t dear : {1U, 2U, 5U, 9U}) {
-        const std::size_t stays = rows.least_stays(k, dear);
+      for (const std::uint32_t costly : {1U, 2U, 5U, 9U}) {
+        const std::size_t stays = rows.least_stays(k, costly);
         for (const std::uint64_t test : {0U, 1U, 5U, 20U}) {
           Job job = job_of(few, Amount{test}, Amount{1});
-          std::fill_n(job.change_costs.begin(), 3, Amount{dear});
+          std::fill_n(job.change_costs.begin(), 3, Amount{costly});
           EXPECT_LE(cost_bound(job).cost, Amount{test * tests + stays})
-              << k << ' ' << tests << ' ' << dear << ' ' << test;
+              << k << ' ' << tests << ' ' << costly << ' ' << test;
         }
       }
     }
@@ -417,10 +417,10 @@ TEST(ChoiceBound, OfThreeValuesInFewTests) {
   EXPECT_EQ(cost_bound(job_of(model, Amount{}, Amount{1})).cost, Amount{70});
   const Model many = test::model_of(model_text(std::vector<std::uint32_t>(40, 3)));
   EXPECT_EQ(cost_bound(job_of(many, Amount{5}, Amount{1})).cost, Amount{5 * 17 + 7 * 40 - 5 - 2});
-  Job dear =
+  Job costly =
       job_of(model, Amount{5}, Amount{1});  // three stays of the expensive one, seven of others
-  std::fill_n(dear.change_costs.begin(), 3, Amount{9});
-  EXPECT_EQ(cost_bound(dear).cost, Amount{5 * 15 + 7 * 11 + 3 * 9});
+  std::fill_n(costly.change_costs.begin(), 3, Amount{9});
+  EXPECT_EQ(cost_bound(costly).cost, Amount{5 * 15 + 7 * 11 + 3 * 9});
 }
 
 TEST(ChoiceBoundSlow, OfThreeValuesInFewTests) {

@@ -63,17 +63,17 @@ void expect_sound(const Job& job, const std::vector<Block>& setups, Amount cost,
 }
 
 TEST(RunPlan, ReproducesTheCostsOfThePaperAndBeatsThem) {
-  const RunPlan dear_changes = planned(make_job(9, 3, units(1), units(5)), {.steps = 200'000});
-  EXPECT_EQ(candidate(dear_changes, "single-change design").cost, units(118));
-  EXPECT_EQ(candidate(dear_changes, "double-change design").cost, units(137));
-  EXPECT_EQ(dear_changes.sheet.cost, units(117));
-  EXPECT_TRUE(dear_changes.proved_cheapest());
+  const RunPlan costly_changes = planned(make_job(9, 3, units(1), units(5)), {.steps = 200'000});
+  EXPECT_EQ(candidate(costly_changes, "single-change design").cost, units(118));
+  EXPECT_EQ(candidate(costly_changes, "double-change design").cost, units(137));
+  EXPECT_EQ(costly_changes.sheet.cost, units(117));
+  EXPECT_TRUE(costly_changes.proved_cheapest());
 
-  const RunPlan dear_tests = planned(make_job(9, 3, units(10), units(1)), {.steps = 50'000});
-  EXPECT_EQ(candidate(dear_tests, "single-change design").cost, units(200));
-  EXPECT_EQ(candidate(dear_tests, "double-change design").cost, units(145));
-  EXPECT_EQ(dear_tests.sheet.cost, units(145));
-  EXPECT_TRUE(dear_tests.proved_cheapest());
+  const RunPlan costly_tests = planned(make_job(9, 3, units(10), units(1)), {.steps = 50'000});
+  EXPECT_EQ(candidate(costly_tests, "single-change design").cost, units(200));
+  EXPECT_EQ(candidate(costly_tests, "double-change design").cost, units(145));
+  EXPECT_EQ(costly_tests.sheet.cost, units(145));
+  EXPECT_TRUE(costly_tests.proved_cheapest());
 }
 
 TEST(RunPlan, FindsTheCheapestPlanOfTinyJobs) {
@@ -119,19 +119,19 @@ TEST(RunPlan, HonoursTheConstraintsOfLargerJobs) {
   }
 }
 
-TEST(RunPlan, DearPartsStandWhereIntroductionsAreRare) {
+TEST(RunPlan, CostlyPartsStandWhereIntroductionsAreRare) {
   Job job = make_job(13, 4, units(1), units(1));
   for (Element x = 0; x < 3; ++x) {
     job.change_costs[x] = units(100);
   }
   const RunPlan plan = planned(job, {.steps = 50'000, .attempts = 2});
-  std::uint64_t dear = 0;
+  std::uint64_t costly = 0;
   for (const RunStep& step : plan.sheet.steps) {
     for (const Element x : step.put_in) {
-      dear += x < 3 ? 1U : 0U;
+      costly += x < 3 ? 1U : 0U;
     }
   }
-  EXPECT_EQ(dear, 3U);
+  EXPECT_EQ(costly, 3U);
 }
 
 // Where parts differ in price, lists with any number of changes a step are far cheaper than what

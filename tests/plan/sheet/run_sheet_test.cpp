@@ -20,10 +20,10 @@ const std::vector<Block> covering{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {0, 3, 6}, {1
                                   {0, 4, 8}, {1, 5, 6}, {2, 3, 7}, {0, 5, 7}, {1, 3, 8}, {2, 4, 6}};
 
 TEST(RunSheet, CountsTheCostsOfThePaper) {
-  const RunSheet dear_changes = run_sheet(make_job(9, 3, units(1), units(5)), covering);
-  EXPECT_TRUE(dear_changes.does_the_job());
-  EXPECT_EQ(dear_changes.cost, units(177));
-  EXPECT_EQ(dear_changes.changes, 33U);
+  const RunSheet costly_changes = run_sheet(make_job(9, 3, units(1), units(5)), covering);
+  EXPECT_TRUE(costly_changes.does_the_job());
+  EXPECT_EQ(costly_changes.cost, units(177));
+  EXPECT_EQ(costly_changes.changes, 33U);
   EXPECT_EQ(run_sheet(make_job(9, 3, units(10), units(1)), covering).cost, units(153));
 }
 

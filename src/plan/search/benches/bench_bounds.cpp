@@ -20,7 +20,7 @@
 #include "plan/search/benches/benches_at_work.hpp"
 #include "plan/search/benches/easiest_job.hpp"
 #include "plan/search/benches/fullest_bench.hpp"
-#include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/costliest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/valid_job.hpp"
 #include "plan/search/weighted.hpp"
@@ -169,7 +169,7 @@ class BenchBounder {
           "; that is with what is at the start of the other benches put in once more, for {}",
           to_string(once_more));
     }
-    count_dearest();
+    count_costliest();
     if (one_list_ && one_list_->cost > bounds_.cost.cost) {
       bounds_.cost.cost = one_list_->cost;
       bounds_.cost.reason = fmt::format(
@@ -184,18 +184,18 @@ class BenchBounder {
   }
 
   // b_n including parts that stay mounted; that of one list if it is unknown.
-  [[nodiscard]] DearestCost lists_cost(std::uint64_t lists) const {
-    DearestCost cost = cost_of_dearest(*dearest_, lists);
+  [[nodiscard]] CostliestCost lists_cost(std::uint64_t lists) const {
+    CostliestCost cost = cost_of_costliest(*costliest_, lists);
     cost.cost += mounted_on(lists, mounting_);
     return cost;
   }
 
   // Prepares the bound by the most expensive parts.
-  void count_dearest() {
+  void count_costliest() {
     try {
       Amount mounting;
-      std::optional<DearestParts> question = dearest_parts_of(easiest_, mounting);
-      if (!question || question->parts.size() > most_dearest_parts) {
+      std::optional<CostliestParts> question = costliest_parts_of(easiest_, mounting);
+      if (!question || question->parts.size() > most_costliest_parts) {
         return;
       }
       for (std::size_t w = 0; w < field_->size(); ++w) {
@@ -209,7 +209,7 @@ class BenchBounder {
         question->room = std::max(question->room, there);
         question->first = there > 0 ? 1 : question->first;
       }
-      dearest_ = std::move(question);
+      costliest_ = std::move(question);
       mounting_ = mounting;
       one_list_ = lists_cost(1);
     } catch (const Stopped&) {
@@ -577,9 +577,9 @@ class BenchBounder {
   const BenchField* field_;
   Job easiest_;
   Amount spent_;
-  std::optional<DearestParts> dearest_;
+  std::optional<CostliestParts> costliest_;
   Amount mounting_;  // for one list
-  std::optional<DearestCost> one_list_;
+  std::optional<CostliestCost> one_list_;
   std::vector<Ratio> ratios_;
   BenchBounds bounds_;
   std::uint64_t unit_ = 0;

@@ -4,7 +4,7 @@
 // largest room and the widest slots; parts that some bench need not mount need not be mounted. All
 // lists, end to end, are a list of that job which costs no more, if no bench but the first has
 // anything at its start. Parts at the start of other benches are charged once more, with one test:
-// cost_bound(). Counted by the most expensive parts (bounds/dearest_parts.hpp), n lists cost at
+// cost_bound(). Counted by the most expensive parts (bounds/costliest_parts.hpp), n lists cost at
 // least b_n,
 // where n is the number of benches that are used after the first set-ups; b_n grows with n. The
 // cost of the first set-ups of each bench is added.

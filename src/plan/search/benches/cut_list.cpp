@@ -33,10 +33,10 @@ BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_
     }
     return begins;
   };
-  const std::uint64_t dearest =
+  const std::uint64_t costliest =
       setups.empty() ? 0 : *std::max_element(at_start_of_list.begin(), at_start_of_list.end());
   const std::vector<std::size_t> begins = pieces(least_number(
-      dearest, most, [&](std::uint64_t limit) { return pieces(limit).size() <= benches; }));
+      costliest, most, [&](std::uint64_t limit) { return pieces(limit).size() <= benches; }));
   BenchLists lists(benches);
   for (std::size_t i = 0; i < begins.size(); ++i) {
     const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : setups.size();

@@ -80,7 +80,7 @@ class PartSharing {
   }
 
   // Whether the benches must cost too much together, with the parts from this one on.
-  [[nodiscard]] bool is_too_dear(std::size_t from, const std::vector<Sets>& open) const {
+  [[nodiscard]] bool is_too_costly(std::size_t from, const std::vector<Sets>& open) const {
     Amount together;
     for (std::size_t w = 0; w < benches_; ++w) {
       const Amount cost = cost_of(w);
@@ -105,7 +105,7 @@ class PartSharing {
       return;
     }
     stop_if_asked();
-    if (is_too_dear(part, open)) {
+    if (is_too_costly(part, open)) {
       return;
     }
     if (part == open.size()) {

@@ -13,7 +13,7 @@
 #include "plan/job/check_in_full.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
-#include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/costliest_parts.hpp"
 #include "plan/search/bounds/exchange_bound.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/least_numbers.hpp"
@@ -135,14 +135,14 @@ Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const Introductio
     }
     std::uint64_t i = std::max({*counted, least_introductions, t - 1 + n.first});
     const bool at_steps = t - 1 + n.first >= std::max(*counted, least_introductions);
-    bool too_dear = false;  // with the fewest introductions, and so with more tests, too
+    bool too_costly = false;  // with the fewest introductions, and so with more tests, too
     bool first = true;
     for (; i <= most; ++i) {
       stop_if_asked();
       const auto five = costs(i);
       if (!five ||
           (best && job.test_cost * t + std::max(*five, seven) + n.mounting >= best->cost)) {
-        too_dear = first;
+        too_costly = first;
         break;  // more introductions cost no less
       }
       first = false;
@@ -157,7 +157,7 @@ Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const Introductio
     }
     // More tests help only as long as some relevant step has two changes.
     const bool cannot_help = best && job.test_cost * (t + 1) + n.mounting >= best->cost;
-    if (cannot_help || (best && at_steps && too_dear) ||
+    if (cannot_help || (best && at_steps && too_costly) ||
         (best && !degrees && *counted <= least_introductions)) {
       break;
     }
@@ -178,7 +178,7 @@ void raise_numbers(const Job& job, CostBound& bound) {
   if (job.replaces() || job.change_costs.empty()) {
     return;
   }
-  const Amount dearest = *std::ranges::max_element(job.change_costs);
+  const Amount costliest = *std::ranges::max_element(job.change_costs);
   const auto raise = [&](std::uint64_t& number, Amount each, std::string_view what) {
     const std::uint64_t least = ceil_div(bound.cost.millionths, each.millionths);
     if (least > number) {
@@ -187,10 +187,10 @@ void raise_numbers(const Job& job, CostBound& bound) {
                                   what, to_string(each), count_of(least, what));
     }
   };
-  if (job.test_cost.millionths == 0 && dearest.millionths > 0) {
-    raise(bound.introductions, dearest, "change");
+  if (job.test_cost.millionths == 0 && costliest.millionths > 0) {
+    raise(bound.introductions, costliest, "change");
   }
-  if (dearest.millionths == 0 && job.test_cost.millionths > 0) {
+  if (costliest.millionths == 0 && job.test_cost.millionths > 0) {
     raise(bound.tests, job.test_cost, "test");
   }
 }
@@ -274,7 +274,7 @@ CostBound bound_of_pairs(const Job& job, std::string& least) {
       count_of(cheapest.introductions + n.mounted_introductions, "change"),
       cheapest.tests == 1 ? "costs" : "cost");
   try {
-    raise_by_dearest(job, bound);
+    raise_by_costliest(job, bound);
   } catch (const Stopped&) {
     // the bound so far is valid
   }

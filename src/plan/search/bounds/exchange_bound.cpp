@@ -12,7 +12,7 @@
 
 #include "changeover/run/control.hpp"
 #include "plan/job/prices.hpp"
-#include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/costliest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/step_program.hpp"
 #include "plan/search/valid_job.hpp"
@@ -38,12 +38,12 @@ class ExchangeProof {
     for (const Element m : job.mounted) {
       is_mounted_[m] = true;
     }
-    const auto too_dear = [&] {
+    const auto too_costly = [&] {
       return std::any_of(in_.begin(), in_.end(), [](std::int64_t cost) { return cost < 0; });
     };
     const std::vector<std::int64_t> proposed = out_;
     settle();
-    if (too_dear()) {
+    if (too_costly()) {
       entries_.clear();
       out_ = proposed;
       settle();
@@ -230,7 +230,7 @@ bool is_too_large(const Job& job) {
 void raise_by_exchanges(const Job& job, CostBound& bound) {
   const Job least = at_prices(job, Price::least);
   Amount mounting;
-  const std::optional<DearestParts> parts = dearest_parts_of(least, mounting);
+  const std::optional<CostliestParts> parts = costliest_parts_of(least, mounting);
   if (!parts || is_too_large(job)) {
     return;
   }

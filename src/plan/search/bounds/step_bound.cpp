@@ -10,7 +10,7 @@
 
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
-#include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/costliest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/step_program.hpp"
 
@@ -24,11 +24,11 @@ struct StepCost {
   Amount cost;
   double tests = 0;
   double introductions = 0;
-  std::optional<DearTimes> dear = {};
+  std::optional<CostlyTimes> costly = {};
 };
 
 StepCost step_cost_of(const StepProgram& from) {
-  return {from.proved(), from.tests(), from.introductions(), from.dear_times()};
+  return {from.proved(), from.tests(), from.introductions(), from.costly_times()};
 }
 
 // One of the programs into which one was split: each list obeys one of them.
@@ -109,7 +109,7 @@ StepCost least_by_steps(StepProgram& program) {
 
 void raise_by_steps(const Job& job, const std::string& least_known, CostBound& bound) {
   Amount mounting;
-  const std::optional<DearestParts> parts = dearest_parts_of(job, mounting);
+  const std::optional<CostliestParts> parts = costliest_parts_of(job, mounting);
   constexpr std::uint64_t largest = std::uint64_t{1} << 60U;
   if (!parts || parts->parts.size() > most_step_parts || bound.cost.millionths > largest) {
     return;
@@ -126,18 +126,19 @@ void raise_by_steps(const Job& job, const std::string& least_known, CostBound& b
     return static_cast<std::uint64_t>(std::ceil(number - 0.01));
   };
   const bool model = job.model != nullptr;
-  std::string dear;
-  if (least.dear) {
-    const bool all = least.dear->parts == job.names.size();
-    dear = fmt::format(", {}{} at least {} in all{}",
-                       all ? "" : fmt::format("the {} most expensive ", least.dear->parts),
-                       model ? "values are set" : "parts are put in",
-                       count_of(least.dear->times, "time"), all ? "" : ", whatever the others do");
+  std::string costly;
+  if (least.costly) {
+    const bool all = least.costly->parts == job.names.size();
+    costly =
+        fmt::format(", {}{} at least {} in all{}",
+                    all ? "" : fmt::format("the {} most expensive ", least.costly->parts),
+                    model ? "values are set" : "parts are put in",
+                    count_of(least.costly->times, "time"), all ? "" : ", whatever the others do");
   }
   bound.reason = fmt::format(
       "{}{}, and {} is tested only with what {} then: about {} with {} cost least (docs/plan.md, "
       "The lower bound)",
-      least_known, dear, model ? "a value that is set" : "what is put in",
+      least_known, costly, model ? "a value that is set" : "what is put in",
       model ? "the other parameters have" : "is mounted", count_of(up(least.tests), "test"),
       count_of(up(least.introductions) + n.mounted_introductions, "change"));
 }

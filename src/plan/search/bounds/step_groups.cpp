@@ -13,7 +13,7 @@ constexpr std::size_t most_step_columns = 7000;
 
 }  // namespace
 
-StepGroups::StepGroups(const Job& job, const JobNumbers& n, const DearestParts& parts)
+StepGroups::StepGroups(const Job& job, const JobNumbers& n, const CostliestParts& parts)
     : v_(parts.parts.size()), needed_(v_ * v_, false) {
   for (std::size_t x = 0; x < v_; ++x) {
     for (std::size_t y = 0; y < v_; ++y) {
@@ -25,7 +25,7 @@ StepGroups::StepGroups(const Job& job, const JobNumbers& n, const DearestParts& 
   make_blocks();
 }
 
-void StepGroups::make_groups(const Job& job, const JobNumbers& n, const DearestParts& parts) {
+void StepGroups::make_groups(const Job& job, const JobNumbers& n, const CostliestParts& parts) {
   for (std::size_t s = 0; s < n.most.size(); ++s) {
     PartGroup group;
     std::uint64_t there = 0;

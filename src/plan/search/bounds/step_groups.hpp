@@ -11,7 +11,7 @@
 #include "changeover/plan/job.hpp"
 #include "core/each.hpp"
 #include "plan/job/pair_numbers.hpp"
-#include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/costliest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 
 namespace changeover {
@@ -40,7 +40,7 @@ struct StepBlock {
 /// for tests, and one for each kind of steps of each block.
 class StepGroups {
  public:
-  StepGroups(const Job& job, const JobNumbers& n, const DearestParts& parts);
+  StepGroups(const Job& job, const JobNumbers& n, const CostliestParts& parts);
 
   [[nodiscard]] const std::vector<PartGroup>& groups() const { return groups_; }
   [[nodiscard]] const std::vector<StepBlock>& blocks() const { return blocks_; }
@@ -72,7 +72,7 @@ class StepGroups {
   }
 
  private:
-  void make_groups(const Job& job, const JobNumbers& n, const DearestParts& parts);
+  void make_groups(const Job& job, const JobNumbers& n, const CostliestParts& parts);
   void count_needed();
   void make_blocks();
   void add_block(std::vector<std::size_t> groups);

@@ -118,7 +118,7 @@ bool StepProgram::add_violated() {
       any = (a <= b && add_subsets(a, b)) || any;
     }
   }
-  return any || add_side_by_side() || add_dearest();
+  return any || add_side_by_side() || add_costliest();
 }
 
 // (3) of the theorem.

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
-#include "plan/search/bounds/dear_walk.hpp"
-#include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/costliest_parts.hpp"
+#include "plan/search/bounds/costly_walk.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/least_sum.hpp"
 #include "plan/search/bounds/step_groups.hpp"
@@ -37,7 +37,7 @@ struct ExchangePrices {
 };
 
 /// The `parts` most expensive parts come `times` times in all, those at the start not counted.
-struct DearTimes {
+struct CostlyTimes {
   std::size_t parts = 0;
   std::uint64_t times = 0;
 };
@@ -49,7 +49,7 @@ class StepProgram {
  public:
   /// Costs are one a part, those of `parts`; with `exchanges`, what the job says of these, and of
   /// what comes to an empty place. Not copied: `parts`.
-  StepProgram(const Job& job, const JobNumbers& n, const DearestParts& parts,
+  StepProgram(const Job& job, const JobNumbers& n, const CostliestParts& parts,
               std::uint64_t least_tests, std::vector<Exchange> exchanges = {})
       : q_(&parts),
         v_(parts.parts.size()),
@@ -105,7 +105,7 @@ class StepProgram {
   [[nodiscard]] Amount proved() const;
   [[nodiscard]] ExchangePrices exchange_prices() const;
   /// What Theorem 28 adds to this, if it adds something.
-  [[nodiscard]] std::optional<DearTimes> dear_times() const;
+  [[nodiscard]] std::optional<CostlyTimes> costly_times() const;
   /// This cost in the unit of the program.
   [[nodiscard]] double in_program(Amount cost) const {
     return (static_cast<double>(cost.millionths) - static_cast<double>(base_)) / unit_;
@@ -125,9 +125,9 @@ class StepProgram {
   };
 
   // The most expensive parts; `open` as long as it may be proved that they come more often.
-  struct Dearest {
+  struct Costliest {
     std::vector<std::size_t> parts = {};
-    DearWalk walk = {};
+    CostlyWalk walk = {};
     std::uint64_t starts = 0;
     bool open = true;
     std::uint64_t times = 0;  // what the row says
@@ -145,7 +145,7 @@ class StepProgram {
   [[nodiscard]] std::vector<std::size_t> by_times(std::size_t group) const;
   bool add_occupied(const std::vector<std::size_t>& parts, std::uint64_t in_a_test);
   bool add_few_stays();
-  bool add_dearest();
+  bool add_costliest();
   void add_exchanges(const Job& job);
   bool add_entries();
   bool add_entry(std::size_t to);
@@ -172,7 +172,7 @@ class StepProgram {
     return counted_.columns() + exchanges_.size() + x;
   }
 
-  const DearestParts* q_;
+  const CostliestParts* q_;
   std::size_t v_;
   std::uint64_t least_tests_;
   StepGroups counted_;
@@ -185,7 +185,7 @@ class StepProgram {
   std::optional<LeastSum> program_;
   std::vector<SavedRow> rows_;
   bool full_ = false;
-  std::vector<Dearest> walks_;
+  std::vector<Costliest> walks_;
   std::uint64_t walk_states_ = 20'000;
   std::vector<std::size_t> steps_rows_;  // by block: the row that counts its steps
   std::vector<Exchange> exchanges_;

@@ -72,9 +72,10 @@ class ChoiceAnnealer {
       hot_ = options_.fixed_tests->hot * a_change;
       cold_ = options_.fixed_tests->cold * a_change;
     }
-    constexpr double dear = 3;  // lists with few tests are rigid: more heat, and tuples weigh more
+    constexpr double costly =
+        3;  // lists with few tests are rigid: more heat, and tuples weigh more
     if (!options_.budget && !options_.fixed_tests &&
-        static_cast<double>(choices_.weights().test) >= dear * a_change) {
+        static_cast<double>(choices_.weights().test) >= costly * a_change) {
       penalty_ *= 1.5;
       hot_ *= 2;
     }

@@ -280,18 +280,18 @@ class OftenSet {
            const std::vector<std::uint64_t>& prices, std::uint64_t stays) {
     for (std::size_t p = 0; p < which.size(); ++p) {
       if (which[p]) {
-        dearest_.push_back(prices[p]);
+        costliest_.push_back(prices[p]);
         changes_ += Amount{prices[p]} * (stays - there[p]);
       }
     }
-    std::ranges::sort(dearest_, std::greater<>());
+    std::ranges::sort(costliest_, std::greater<>());
   }
 
-  [[nodiscard]] std::uint64_t number() const { return dearest_.size(); }
-  [[nodiscard]] Amount of_dearest(std::uint64_t number) const {
+  [[nodiscard]] std::uint64_t number() const { return costliest_.size(); }
+  [[nodiscard]] Amount of_costliest(std::uint64_t number) const {
     Amount sum;
-    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(number, dearest_.size()); ++i) {
-      sum += Amount{dearest_[i]};
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(number, costliest_.size()); ++i) {
+      sum += Amount{costliest_[i]};
     }
     return sum;
   }
@@ -300,7 +300,7 @@ class OftenSet {
   }
 
  private:
-  std::vector<std::uint64_t> dearest_;
+  std::vector<std::uint64_t> costliest_;
   Amount changes_;
 };
 
@@ -374,10 +374,11 @@ Amount of_few_values(const Job& job, const OftenSet& twos, const OftenSet& three
     const std::uint64_t four = three + (all - 2) * (all - 2) / 4;
     const std::uint64_t six = most_of(six_stays, all, threes.number());
     const std::uint64_t seven = most_of(seven_stays, all, threes.number());
-    const Amount by_twos = twos.of_dearest(1) + twos.of_dearest(three) + twos.of_dearest(four);
+    const Amount by_twos =
+        twos.of_costliest(1) + twos.of_costliest(three) + twos.of_costliest(four);
     const Amount by_threes =
-        threes.of_dearest(seven) +
-        std::max(threes.of_dearest(six) + threes.of_dearest(1) * 2, threes.of_dearest(1) * 4);
+        threes.of_costliest(seven) +
+        std::max(threes.of_costliest(six) + threes.of_costliest(1) * 2, threes.of_costliest(1) * 4);
     const Amount few =
         job.test_cost * tests + twos.changes_but(by_twos) + threes.changes_but(by_threes);
     const bool is_last = three >= twos.number() && six >= threes.number();

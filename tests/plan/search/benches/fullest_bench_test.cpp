@@ -32,7 +32,7 @@ Amount by_all_ways(const SharedParts& shared, std::size_t benches) {
         meets = meets && (!shared.meet[x][y] || (given[x] & given[y]) != 0);
       }
     }
-    Amount dearest;
+    Amount costliest;
     for (std::size_t w = 0; w < benches; ++w) {
       Amount cost;
       std::uint64_t tests = 0;
@@ -46,9 +46,9 @@ Amount by_all_ways(const SharedParts& shared, std::size_t benches) {
       for (std::size_t x = 0; x < v; ++x) {
         cost += (given[x] >> w & 1U) != 0 ? shared.costs[x] : Amount{};
       }
-      dearest = std::max(dearest, cost + shared.test * tests);
+      costliest = std::max(costliest, cost + shared.test * tests);
     }
-    best = meets ? std::min(best.value_or(dearest), dearest) : best;
+    best = meets ? std::min(best.value_or(costliest), costliest) : best;
     std::size_t x = 0;
     while (x < v && ++given[x] == end) {
       given[x++] = 1;

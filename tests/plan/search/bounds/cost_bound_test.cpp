@@ -86,9 +86,9 @@ TEST(CostBound, CountsNoMoreThanTheFewestChangesAndTests) {
     const CostBound bound = cost_bound(job);
     EXPECT_LE(bound.introductions, least_number_of(job, true)) << seed;
     EXPECT_LE(bound.tests, least_number_of(job, false)) << seed;
-    const Amount dearest = *std::ranges::max_element(job.change_costs);
-    if (job.test_cost == Amount{} && dearest > Amount{}) {
-      EXPECT_LE(bound.cost, dearest * bound.introductions) << seed;
+    const Amount costliest = *std::ranges::max_element(job.change_costs);
+    if (job.test_cost == Amount{} && costliest > Amount{}) {
+      EXPECT_LE(bound.cost, costliest * bound.introductions) << seed;
       ++by_cost;
     }
   }

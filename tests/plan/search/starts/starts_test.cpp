@@ -15,7 +15,7 @@
 namespace changeover::starts_test {
 namespace {
 
-Job job_with_dear_parts(Element parts, std::uint64_t at_once) {
+Job job_with_costly_parts(Element parts, std::uint64_t at_once) {
   Job job = make_job(parts, at_once, parse_amount("5"), Amount{});
   for (Element x = 0; x < parts; ++x) {
     job.change_costs[x] = x % 2 == 0 ? parse_amount("0.5") : parse_amount("9.5");
@@ -76,8 +76,8 @@ TEST(GreedyStart, InHasteSmallSetUpsStillTestTwoNewPairsEach) {
   }
 }
 
-TEST(GreedyStart, PutsInCheapPartsMoreOftenThanDearOnes) {
-  const Job job = job_with_dear_parts(40, 6);
+TEST(GreedyStart, PutsInCheapPartsMoreOftenThanCostlyOnes) {
+  const Job job = job_with_costly_parts(40, 6);
   RunControl control({});
   const RunSheet sheet = run_sheet(job, greedy_start(job, control).setups);
   std::array<std::uint64_t, 2> times{};
@@ -91,7 +91,7 @@ TEST(GreedyStart, PutsInCheapPartsMoreOftenThanDearOnes) {
 
 // Free parts are worth much, but not everything.
 TEST(GreedyStart, DoesJobsWithFreeParts) {
-  Job job = job_with_dear_parts(20, 4);
+  Job job = job_with_costly_parts(20, 4);
   for (Element x = 0; x < 20; x += 2) {
     job.change_costs[x] = Amount{};
   }
@@ -103,7 +103,7 @@ TEST(GreedyStart, DoesJobsWithFreeParts) {
 
 // All known designs come before the searches for better ones, which take all the time there is.
 TEST(DesignStarts, AreAllThereWhateverTheSearchesTake) {
-  const Job job = job_with_dear_parts(20, 4);
+  const Job job = job_with_costly_parts(20, 4);
   RunControl no_limit({});
   const std::vector<Start> known = design_starts(job, 0, no_limit);
   ASSERT_EQ(known.size(), 4U);  // 1 to 4 changes a step
@@ -115,7 +115,7 @@ TEST(DesignStarts, AreAllThereWhateverTheSearchesTake) {
 TEST(DesignStarts, SearchesMakeNoneDearer) {
   bool any_better = false;
   for (const std::uint64_t room : {5U, 6U, 7U}) {
-    const Job job = job_with_dear_parts(34, room);
+    const Job job = job_with_costly_parts(34, room);
     RunControl control({});
     std::vector<Start> known = design_starts(job, 0, control);
     const std::vector<Start> searched = design_starts(job, 200'000, control);
@@ -137,7 +137,7 @@ TEST(DesignStarts, SearchesMakeNoneDearer) {
 
 // The search for a covering leaves the time to the search for a cheap list.
 TEST(Covering, IsLeftOutWhereTimeIsShort) {
-  const Job job = job_with_dear_parts(40, 6);
+  const Job job = job_with_costly_parts(40, 6);
   RunControl no_limit({});
   const Candidate greedy = counted_complete(job, greedy_start(job, no_limit));
   const CostBound bound = cost_bound(job);

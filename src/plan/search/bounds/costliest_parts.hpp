@@ -38,7 +38,7 @@
 namespace changeover {
 
 /// The task of lists of set-ups.
-struct DearestParts {
+struct CostliestParts {
   std::uint64_t room = 0;           ///< K, at least the number of parts at the start of a bench
   std::vector<Element> parts = {};  ///< of F, each with a needed pair
   std::vector<Amount> prices = {};  ///< by index in `parts`
@@ -57,16 +57,16 @@ struct DearestParts {
 
 /// The data for one bench; `mounting` receives the cost of mounting the permanent parts once.
 /// Nullopt if nothing must meet within F.
-[[nodiscard]] std::optional<DearestParts> dearest_parts_of(const Job& job, Amount& mounting);
+[[nodiscard]] std::optional<CostliestParts> costliest_parts_of(const Job& job, Amount& mounting);
 
 /// Takes the bound for one list with its reason, if it is better. @throws Stopped
-void raise_by_dearest(const Job& job, CostBound& bound);
+void raise_by_costliest(const Job& job, CostBound& bound);
 
 /// Limit for the number of parts: the bound takes O(tests · introductions · parts) in the worst
 /// case.
-inline constexpr std::size_t most_dearest_parts = 200;
+inline constexpr std::size_t most_costliest_parts = 200;
 
-struct DearestCost {
+struct CostliestCost {
   Amount cost;  ///< of tests and of introductions of F
   std::uint64_t tests = 0;
   std::uint64_t introductions = 0;
@@ -74,6 +74,6 @@ struct DearestCost {
 
 /// For this many lists, none of them empty. Stopped if the scope of this thread (run/control.hpp)
 /// requests it. @throws ImpossibleParameters if a cost overflows.
-[[nodiscard]] DearestCost cost_of_dearest(const DearestParts& question, std::uint64_t lists);
+[[nodiscard]] CostliestCost cost_of_costliest(const CostliestParts& question, std::uint64_t lists);
 
 }  // namespace changeover

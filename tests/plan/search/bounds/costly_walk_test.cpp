@@ -1,5 +1,5 @@
 // How often some parts come at least, whatever the others do [docs/theorems.md, Theorem 28].
-#include "plan/search/bounds/dear_walk.hpp"
+#include "plan/search/bounds/costly_walk.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,20 +8,20 @@
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/run/control.hpp"
 #include "cheapest.hpp"
-#include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/costliest_parts.hpp"
 #include "plan/search/bounds/step_bound.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover::dear_walk_test {
+namespace changeover::costly_walk_test {
 namespace {
 
 constexpr std::uint64_t money = 1'000'000;
 constexpr std::uint64_t enough = 1'000'000;  // states
 
 // The walk of these parts of a job, by their numbers there.
-DearWalk walk_of(const Job& job, const std::vector<bool>& chosen) {
+CostlyWalk walk_of(const Job& job, const std::vector<bool>& chosen) {
   Amount mounting;
-  const DearestParts parts = dearest_parts_of(job, mounting).value();
+  const CostliestParts parts = costliest_parts_of(job, mounting).value();
   const JobNumbers n = numbers_of(job);
   std::vector<std::size_t> numbers;
   for (std::size_t x = 0; x < n.parts.size(); ++x) {
@@ -34,11 +34,11 @@ DearWalk walk_of(const Job& job, const std::vector<bool>& chosen) {
 
 bool has_walk(const Job& job) {
   Amount mounting;
-  return dearest_parts_of(job, mounting).has_value();
+  return costliest_parts_of(job, mounting).has_value();
 }
 
 // The most that is proved.
-std::uint64_t least_times(const DearWalk& walk) {
+std::uint64_t least_times(const CostlyWalk& walk) {
   std::uint64_t times = 0;
   for (std::uint64_t states = enough; walk.comes_more_than(times, states); states = enough) {
     ++times;
@@ -46,7 +46,7 @@ std::uint64_t least_times(const DearWalk& walk) {
   return times;
 }
 
-TEST(DearWalk, ProvesNoMoreThanTheLeastOfSmallJobs) {
+TEST(CostlyWalk, ProvesNoMoreThanTheLeastOfSmallJobs) {
   std::uint64_t looked = 0;
   std::uint64_t attained = 0;
   for (std::uint64_t seed = 1; seed <= 900; ++seed) {
@@ -96,12 +96,12 @@ Job staircase() {
   return job;
 }
 
-TEST(DearWalk, CountsWhatPairsOfSlotsDoNot) {
+TEST(CostlyWalk, CountsWhatPairsOfSlotsDoNot) {
   const Job job = staircase();
-  std::vector<bool> dear(12, false);
-  std::fill(dear.begin(), dear.begin() + 8, true);
+  std::vector<bool> costly(12, false);
+  std::fill(costly.begin(), costly.begin() + 8, true);
   // Of every two slots, (4) of Theorem 18 asks for 2, 4 and 7, which 1 + 1 + 7 satisfy.
-  EXPECT_EQ(least_times(walk_of(job, dear)), 10U);
+  EXPECT_EQ(least_times(walk_of(job, costly)), 10U);
   CostBound bound;
   bound.tests = 1;
   raise_by_steps(job, "at least 1 test", bound);
@@ -113,11 +113,11 @@ TEST(DearWalk, CountsWhatPairsOfSlotsDoNot) {
   EXPECT_EQ(to_string(make_run_plan(job, {}, control).sheet.cost), "10");
 }
 
-TEST(DearWalk, SaysNothingWithoutStates) {
+TEST(CostlyWalk, SaysNothingWithoutStates) {
   const Job job = staircase();
-  std::vector<bool> dear(12, false);
-  std::fill(dear.begin(), dear.begin() + 8, true);
-  const DearWalk walk = walk_of(job, dear);
+  std::vector<bool> costly(12, false);
+  std::fill(costly.begin(), costly.begin() + 8, true);
+  const CostlyWalk walk = walk_of(job, costly);
   std::uint64_t states = 50;
   EXPECT_FALSE(walk.comes_more_than(9, states));
   EXPECT_EQ(states, 0U);
@@ -126,10 +126,10 @@ TEST(DearWalk, SaysNothingWithoutStates) {
   EXPECT_GT(states, 0U);
 }
 
-TEST(DearWalk, IsForFewParts) {
+TEST(CostlyWalk, IsForFewParts) {
   const Job job = make_job(20, 4, Amount{}, Amount{money});
   EXPECT_FALSE(walk_of(job, std::vector<bool>(20, true)).fits());
 }
 
 }  // namespace
-}  // namespace changeover::dear_walk_test
+}  // namespace changeover::costly_walk_test

@@ -1,4 +1,4 @@
-#include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/costliest_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -20,9 +20,9 @@ namespace {
 
 using Counts = std::vector<std::uint64_t>;  // by number of most expensive parts
 
-class DearestBound {
+class CostliestBound {
  public:
-  DearestBound(const DearestParts& question, std::uint64_t lists)
+  CostliestBound(const CostliestParts& question, std::uint64_t lists)
       : q_(&question), room_(question.room), lists_(lists), v_(question.parts.size()) {
     order_.resize(v_);
     std::iota(order_.begin(), order_.end(), 0);
@@ -33,7 +33,7 @@ class DearestBound {
     stays_at_least();
   }
 
-  DearestCost least() {
+  CostliestCost least() {
     relaxed_ = by_stays_;  // with any number of tests: (a), (d) and (e)
     for (std::size_t t = 1; t <= v_; ++t) {
       relaxed_[t] = std::max(relaxed_[t], fewest_one_by_one(t));
@@ -261,7 +261,7 @@ class DearestBound {
         throw ImpossibleParameters("the costs are too large to be added up; use a larger unit");
       }
       if (!is_beaten(found)) {
-        best_ = DearestCost{Amount{static_cast<std::uint64_t>(found)}, tests, total};
+        best_ = CostliestCost{Amount{static_cast<std::uint64_t>(found)}, tests, total};
       }
       if (found == no_less) {
         break;
@@ -295,7 +295,7 @@ class DearestBound {
     return Wide{q_->test.millionths} * (tests - q_->starts);
   }
 
-  const DearestParts* q_;
+  const CostliestParts* q_;
   std::uint64_t room_;
   std::uint64_t lists_;
   std::size_t v_;
@@ -307,14 +307,14 @@ class DearestBound {
   Counts price_;
   Counts by_stays_;
   Counts relaxed_;
-  std::optional<DearestCost> best_;
+  std::optional<CostliestCost> best_;
   std::uint64_t start_introductions_ = 0;
   Wide start_cost_ = 0;
 };
 
 }  // namespace
 
-std::optional<DearestParts> dearest_parts_of(const Job& job, Amount& mounting) {
+std::optional<CostliestParts> costliest_parts_of(const Job& job, Amount& mounting) {
   const JobNumbers n = numbers_of(job);
   mounting = n.mounting;
   if (n.pairs == 0 || n.room < 2) {
@@ -322,7 +322,7 @@ std::optional<DearestParts> dearest_parts_of(const Job& job, Amount& mounting) {
   }
   const StaysCost stays = least_by_stays(job, n);
   const IntroductionCosts costs(job, n);
-  DearestParts dearest{
+  CostliestParts costliest{
       .room = std::max(n.room, n.start),
       .parts = n.parts,
       .needed = &job.needed,
@@ -338,26 +338,26 @@ std::optional<DearestParts> dearest_parts_of(const Job& job, Amount& mounting) {
   for (const Element x : n.parts) {
     const std::uint32_t slot = n.slot_of[x];
     const bool fills = slot < job.slots.size() && job.slots[slot].least > 0;
-    dearest.prices.push_back(job.change_costs[x]);
-    dearest.most.push_back(fills ? std::numeric_limits<std::uint32_t>::max() : n.degree[x]);
-    dearest.at_start.push_back(n.at_start[x] ? 1U : 0U);
-    dearest.together.push_back(together[x]);
-    dearest.least_introductions += dearest.at_start.back();
+    costliest.prices.push_back(job.change_costs[x]);
+    costliest.most.push_back(fills ? std::numeric_limits<std::uint32_t>::max() : n.degree[x]);
+    costliest.at_start.push_back(n.at_start[x] ? 1U : 0U);
+    costliest.together.push_back(together[x]);
+    costliest.least_introductions += costliest.at_start.back();
   }
   if (n.start == 0) {
-    dearest.first = std::clamp<std::uint64_t>(n.first, 1, dearest.room);
+    costliest.first = std::clamp<std::uint64_t>(n.first, 1, costliest.room);
   }
-  return dearest;
+  return costliest;
 }
 
-void raise_by_dearest(const Job& job, CostBound& bound) {
+void raise_by_costliest(const Job& job, CostBound& bound) {
   Amount mounting;
-  const auto question = dearest_parts_of(job, mounting);
-  if (!question || question->parts.size() > most_dearest_parts) {
+  const auto question = costliest_parts_of(job, mounting);
+  if (!question || question->parts.size() > most_costliest_parts) {
     return;
   }
-  const DearestCost dearest = cost_of_dearest(*question, 1);
-  const Amount cost = rounded_up(job, dearest.cost + mounting);
+  const CostliestCost costliest = cost_of_costliest(*question, 1);
+  const Amount cost = rounded_up(job, costliest.cost + mounting);
   if (cost > bound.cost) {
     bound.cost = cost;
     bound.reason = fmt::format(
@@ -365,13 +365,13 @@ void raise_by_dearest(const Job& job, CostBound& bound) {
         "among "
         "themselves (docs/plan.md, The lower bound): {} with {} {} least",
         count_of(bound.tests, "test"), count_of(bound.introductions, "change"),
-        count_of(dearest.tests, "test"), count_of(dearest.introductions, "change"),
-        dearest.tests == 1 ? "costs" : "cost");
+        count_of(costliest.tests, "test"), count_of(costliest.introductions, "change"),
+        costliest.tests == 1 ? "costs" : "cost");
   }
 }
 
-DearestCost cost_of_dearest(const DearestParts& question, std::uint64_t lists) {
-  return DearestBound(question, lists).least();
+CostliestCost cost_of_costliest(const CostliestParts& question, std::uint64_t lists) {
+  return CostliestBound(question, lists).least();
 }
 
 }  // namespace changeover

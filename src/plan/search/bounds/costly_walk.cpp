@@ -1,4 +1,4 @@
-#include "plan/search/bounds/dear_walk.hpp"
+#include "plan/search/bounds/costly_walk.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -67,18 +67,18 @@ class LeastComing {
   }
 
   template <typename T>
-  using Table = std::array<std::array<T, DearWalk::most_groups>, DearWalk::most_groups>;
+  using Table = std::array<std::array<T, CostlyWalk::most_groups>, CostlyWalk::most_groups>;
 
   std::size_t n_;
-  std::array<std::uint64_t, DearWalk::most_groups> least_{};
+  std::array<std::uint64_t, CostlyWalk::most_groups> least_{};
   Table<std::uint64_t> across_{};
   Table<std::uint64_t> open_{};
-  std::array<std::uint64_t, DearWalk::most_groups> taken_{};
+  std::array<std::uint64_t, CostlyWalk::most_groups> taken_{};
 };
 
 }  // namespace
 
-std::size_t DearWalk::Hash::operator()(const State& state) const {
+std::size_t CostlyWalk::Hash::operator()(const State& state) const {
   std::uint64_t mixed = state.there;
   for (const std::uint64_t word : state.met.words) {
     mixed = (mixed ^ word) * 0x9E3779B97F4A7C15U;
@@ -87,8 +87,8 @@ std::size_t DearWalk::Hash::operator()(const State& state) const {
   return static_cast<std::size_t>(mixed * 0xBF58476D1CE4E5B9U >> 7U);
 }
 
-DearWalk::DearWalk(const Job& job, const JobNumbers& n, const StepGroups& groups,
-                   const std::vector<std::uint64_t>& at_start, std::vector<std::size_t> chosen)
+CostlyWalk::CostlyWalk(const Job& job, const JobNumbers& n, const StepGroups& groups,
+                       const std::vector<std::uint64_t>& at_start, std::vector<std::size_t> chosen)
     : v_(chosen.size()), fits_(v_ <= most_parts) {
   if (!fits_) {
     return;
@@ -157,7 +157,7 @@ DearWalk::DearWalk(const Job& job, const JobNumbers& n, const StepGroups& groups
   }
 }
 
-bool DearWalk::alike(std::size_t x, std::size_t y) const {
+bool CostlyWalk::alike(std::size_t x, std::size_t y) const {
   const Parts two = Parts{1} << x | Parts{1} << y;
   const auto exchanged = [&](Parts parts) { return count(parts & two) == 1 ? parts ^ two : parts; };
   const bool same_groups = std::all_of(groups_.begin(), groups_.end(), [&](const Group& group) {
@@ -173,7 +173,7 @@ bool DearWalk::alike(std::size_t x, std::size_t y) const {
   });
 }
 
-bool DearWalk::allowed(Parts there) const {
+bool CostlyWalk::allowed(Parts there) const {
   for (std::size_t x = 0; x < v_; ++x) {
     if ((there >> x & 1U) != 0 && (never_[x] & there) != 0) {
       return false;
@@ -184,7 +184,7 @@ bool DearWalk::allowed(Parts there) const {
   });
 }
 
-void DearWalk::meet(State& state, const Pairs& among) const {
+void CostlyWalk::meet(State& state, const Pairs& among) const {
   const bool room = std::all_of(groups_.begin(), groups_.end(), [&](const Group& group) {
     return !group.whole || count(group.parts & state.there) < group.places;
   });
@@ -206,7 +206,7 @@ void DearWalk::meet(State& state, const Pairs& among) const {
   }
 }
 
-bool DearWalk::can_end(const State& state, std::uint64_t times) const {
+bool CostlyWalk::can_end(const State& state, std::uint64_t times) const {
   Parts missing = 0;  // They must come.
   Pairs left = all_;
   for (std::size_t word = 0; word < left.words.size(); ++word) {
@@ -245,7 +245,7 @@ bool DearWalk::can_end(const State& state, std::uint64_t times) const {
   return of_all <= times && least.fits(times);
 }
 
-bool DearWalk::is_like_earlier(const State& state, std::size_t x) const {
+bool CostlyWalk::is_like_earlier(const State& state, std::size_t x) const {
   const auto is_new = [&](std::size_t y) {
     return (state.there >> y & 1U) == 0 && common(state.met, of_part_[y]) == 0;
   };
@@ -260,7 +260,7 @@ bool DearWalk::is_like_earlier(const State& state, std::size_t x) const {
   return false;
 }
 
-bool DearWalk::comes_more_than(std::uint64_t times, std::uint64_t& states) const {
+bool CostlyWalk::comes_more_than(std::uint64_t times, std::uint64_t& states) const {
   std::unordered_set<State, Hash> known;
   std::vector<State> now{{start_, {}}};
   meet(now.front(), all_);

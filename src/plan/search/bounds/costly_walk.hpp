@@ -18,16 +18,16 @@
 
 namespace changeover {
 
-class DearWalk {
+class CostlyWalk {
  public:
   static constexpr std::size_t most_parts = 16;
   static constexpr std::size_t most_pairs = 128;
   static constexpr std::size_t most_groups = 8;
 
-  DearWalk() = default;
+  CostlyWalk() = default;
   /// A walk of the parts with these numbers in JobNumbers::parts; at_start is by these numbers.
-  DearWalk(const Job& job, const JobNumbers& n, const StepGroups& groups,
-           const std::vector<std::uint64_t>& at_start, std::vector<std::size_t> chosen);
+  CostlyWalk(const Job& job, const JobNumbers& n, const StepGroups& groups,
+             const std::vector<std::uint64_t>& at_start, std::vector<std::size_t> chosen);
 
   /// Whether there are few enough parts and pairs.
   [[nodiscard]] bool fits() const { return fits_; }
