@@ -429,7 +429,7 @@ test('what a researcher asks of a design, how to cite it, and its write-up', asy
   const text = execFileSync(program, ['design', ...cell, '--format', 'text']);
   const verified = JSON.parse(execFileSync(program, ['verify', '--json', '-'], { input: text }));
   const { excess } = verified.details;
-  await page.waitForFunction(() => !/…$/.test(document.querySelector('.fact-table').innerText));
+  await page.waitForFunction(() => !/…$/m.test(document.querySelector('.fact-table').innerText));
   assert.match(await fact('excess').innerText(), new RegExp(`^${excess}: newly covered again `));
   assert.equal(await fact('group').innerText(), 'order 1');
   const stays = verified.details.elements.map(({ introductions }) => introductions);

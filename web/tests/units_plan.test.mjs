@@ -148,3 +148,67 @@ test('what is mounted first, as a job and a plan say it; a failed test that come
   assert.equal(repeats(again, 1), 'repeats failed A, test 1');
   assert.equal(repeats(again, 2), '');
 });
+
+test('how long a bench waits, by the longest day of the benches that work', async () => {
+  const { idleOf } = await load('pages/plan/strip.ts');
+  const bench = (name, hours, down = false) => ({ name, hours, down, end: 0, start: [] });
+  const of = (benches, spans, unit = null) => {
+    const tests = spans.map((span) => ({ bench: 'A', cost: span[1] - span[0], span }));
+    return idleOf({ benches, unit, tests }, 'A');
+  };
+  const nextDay = [
+    [0, 4],
+    [4, 8],
+    [24, 28],
+  ];
+  // A bench without hours works day and night.
+  assert.equal(of([bench('A', 8), bench('B', null)], nextDay), 0);
+  assert.equal(of([bench('A', 8), bench('B', 10)], [...nextDay.slice(0, 2), [10, 14]]), 0);
+  const minutes = nextDay.map((span) => span.map((at) => 60 * at));
+  assert.equal(of([bench('A', 8), bench('B', 24)], minutes, 'minutes'), 0);
+  // One that is out of order has no day.
+  const gap = [
+    [0, 4],
+    [12, 16],
+  ];
+  assert.equal(of([bench('A', 8), bench('B', 8), bench('C', 24, true)], gap), 8);
+  assert.equal(of([bench('A', null), bench('C', 8, true)], gap), 8);
+});
+
+test('after a replan the clock begins anew: tests that are done are in no lane', async () => {
+  const { outcomeOf } = await load('pages/plan/outcome.ts');
+  const { idleOf } = await load('pages/plan/strip.ts');
+  const { packed, unpacked } = await load('pages/plan/store.ts');
+  const { emptyBench, emptyJob } = await load('pages/plan/job.ts');
+  const job = { ...emptyJob(), benches: [{ ...emptyBench(), name: 'A' }] };
+  const timed = [
+    { ...steps[1], begin: 0, end: 4 },
+    { ...steps[2], begin: 6, end: 10 },
+  ];
+  const plan = {
+    ...size,
+    ...rest,
+    objective: 'makespan',
+    makespan: 10,
+    finish: null,
+    lower_bound: { cost: 19, makespan: 9, makespan_reason: 'r', cost_reason: 'r' },
+    sheets: [{ name: 'A', down: false, end: 10, start: [], hours: null, steps: timed }],
+  };
+  const times = { when: 'day 1, 0:00', ends: 'day 1, 6:00', span: [0, 6] };
+  const written = { result: 'pass', notes: '', by: '', at: '' };
+  const [{ set_up: parts, cost }] = steps;
+  const done = { bench: 'A', parts, places: parts, cost, ...times, ...written };
+  const outcome = outcomeOf({ benches: plan }, job, [done], places);
+  assert.deepEqual(
+    outcome.tests.map(({ span }) => span),
+    [undefined, [0, 4], [6, 10]],
+  );
+  assert.equal(idleOf(outcome, 'A'), 2);
+  // A link keeps it so.
+  const state = { id: 'a', job, outcome };
+  const kept = unpacked(JSON.parse(JSON.stringify(packed(state)))).outcome.tests;
+  assert.deepEqual(
+    kept.map(({ span, ends }) => [span, ends]),
+    outcome.tests.map(({ span, ends }) => [span, ends]),
+  );
+});

@@ -38,7 +38,6 @@ export function arrayView(
     'later →',
   );
   const body = h('div', {
-    class: 'array-bands',
     onclick: (event) => {
       const cell = (event.target as Element).closest<HTMLElement>('[data-x]');
       if (cell) {

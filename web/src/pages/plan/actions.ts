@@ -1,23 +1,12 @@
 // What can be done with a run sheet as a whole.
 import { h } from '../../lib/dom';
 import { save } from '../../lib/save';
+import { fileOf } from './job';
 import { csv, verdictOf, type Outcome } from './outcome';
 
 export interface Actions {
   readonly element: HTMLElement;
   refresh(): void;
-}
-
-/** "Pump bench" as the name of a file. */
-export function fileOf(title: string): string {
-  return (
-    title
-      .normalize('NFC')
-      .replace(/[^\p{L}\p{N}.-]+/gu, '_')
-      .replace(/^[._]+|[._]+$/g, '')
-      .toLowerCase()
-      .slice(0, 60) || 'run_sheet'
-  );
 }
 
 /** `mayDiagnose`: whether the faults of this job can be told from results. */

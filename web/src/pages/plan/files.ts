@@ -4,6 +4,7 @@ import { post, type ReadJob } from '../../lib/api';
 import type { Job as Request } from '../../../answers';
 import { jobOf } from './document';
 import { cells, emptyBench, type Bench, type Job } from './job';
+import { isPlaced } from './model_faults';
 import { noted, verdictOf, type Place, type Test, type Verdict } from './outcome';
 
 export interface Taken {
@@ -172,7 +173,7 @@ export async function readFile(
       return taken(await post('plan/read', {}, { model: text }, signal), job);
     } catch (fault) {
       // A slip is mended in the text, so it must be there.
-      if (signal.aborted || !/^model:\d+:/.test((fault as Error).message)) {
+      if (signal.aborted || !isPlaced((fault as Error).message)) {
         throw signal.aborted ? fault : named(fault);
       }
       return { ...said('the model', jobOf({ model: text }, job)), fault: fault as Error };

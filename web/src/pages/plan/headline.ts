@@ -79,9 +79,11 @@ function changing(job: Job, cost: string): string {
 
 /** Why a test is there that failed before. `trust` leads to the choice. */
 function again(job: Job, outcome: Outcome, trust: () => void): Child[] {
-  const { tests } = outcome;
-  const failed = tests.filter((test) => verdictOf(test) === 'fail').length;
-  if (outcome.doneBefore === 0 || failed === 0 || job.trustFailed) {
+  const { tests, benches, doneBefore } = outcome;
+  // On one bench those that were done before are the first ones.
+  const earlier = benches ? tests : tests.slice(0, doneBefore);
+  const failed = earlier.filter((test) => verdictOf(test) === 'fail').length;
+  if (doneBefore === 0 || failed === 0 || job.trustFailed) {
     return [];
   }
   const names = namesOf(outcome);
@@ -97,12 +99,8 @@ function again(job: Job, outcome: Outcome, trust: () => void): Child[] {
       `Pairs that met only in ${failed === 1 ? 'the failed test' : 'failed tests'} count as ` +
         `untested${twice.length > 0 ? `, so ${twice.join(', and ')}` : ''}. `,
       h(
-        'a',
-        {
-          href: '#trust-failed',
-          class: 'no-print',
-          onclick: (event) => (event.preventDefault(), trust()),
-        },
+        'button',
+        { type: 'button', class: 'as-link no-print', onclick: trust },
         'Count them as tested',
       ),
     ),

@@ -180,6 +180,18 @@ export function about(cost: number): string {
       : rounded.toFixed(2);
 }
 
+/** "Pump bench" as the name of a file. */
+export function fileOf(title: string): string {
+  return (
+    title
+      .normalize('NFC')
+      .replace(/[^\p{L}\p{N}.-]+/gu, '_')
+      .replace(/^[._]+|[._]+$/g, '')
+      .toLowerCase()
+      .slice(0, 60) || 'run_sheet'
+  );
+}
+
 /**
  * Cells of a table as spreadsheets copy it (tabs) or write it (CSV with commas or semicolons,
  * fields quoted or not).

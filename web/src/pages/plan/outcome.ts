@@ -150,7 +150,7 @@ export function before(tests: readonly Test[], i: number): Test | null {
 }
 
 /** What is mounted on a bench before its first test. */
-export function startOf({ benches, start }: Outcome, bench: string | null): readonly string[] {
+function startOf({ benches, start }: Outcome, bench: string | null): readonly string[] {
   return bench === null ? start : (benches?.find(({ name }) => name === bench)?.start ?? []);
 }
 
@@ -297,7 +297,8 @@ function ofBenches(
   const tests = plan.sheets.flatMap((sheet) => [
     ...done
       .filter(({ bench }) => bench === sheet.name)
-      .map((test) => placed(test, places, plan.places)),
+      // The clock begins anew: when they were to run no longer counts.
+      .map(({ span, ...test }) => placed(test, places, plan.places)),
     ...sheet.steps.map((each): Test => {
       const when = clock(each.day, each.hour, each.date);
       // Costs of benches with hours are in hours if nothing else is said. A test ends on its day.

@@ -193,7 +193,7 @@ export class PlanPage {
       this.box.open();
     }
     const { model } = this.formOr(this.state.job);
-    const words = modelWords(inWords(message), model);
+    const words = modelWords(inWords(message));
     const said = fault instanceof ApiError ? new ApiError(words, fault.status) : fault;
     fill(this.fault, problem(said));
     this.fault.scrollIntoView({ block: 'nearest' });

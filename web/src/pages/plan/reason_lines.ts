@@ -19,14 +19,14 @@ function closing(text: string, from: number): number {
 }
 
 /** The first words of a line are what it says, the rest is why. */
-export interface ReasonLine {
+interface ReasonLine {
   said: string;
   why: string;
 }
 
 /**
- * The reason as the library writes it, in lines. `money` writes costs, `bound` is the cost that no
- * plan undercuts.
+ * The reason as the library writes it, in lines. `bound` is the cost that no plan undercuts, as it
+ * is shown.
  */
 export function linesOf(reason: string, bound: string): ReasonLine[] {
   const lines: ReasonLine[] = [];

@@ -44,7 +44,7 @@ export function rowsTable<T extends object>(
       {
         type: 'button',
         class: 'plain small',
-        'aria-expanded': whole,
+        'aria-expanded': String(whole),
         onclick: () => {
           const opened = row.classList.toggle('whole-card');
           opener.setAttribute('aria-expanded', String(opened));

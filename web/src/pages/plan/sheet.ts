@@ -177,8 +177,8 @@ export function runSheet(
     return sum;
   });
   const whole = exact(tests.reduce((sum, { cost }) => sum + cost, 0));
-  const spent = outcome.unit ?? (tests.some(({ when }) => when !== undefined) ? 'hours' : 'cost');
   const hasTimes = tests.some(({ when }) => when !== undefined);
+  const spent = outcome.unit ?? (hasTimes ? 'hours' : 'cost');
   const parameters = Object.keys(tests.find(({ values }) => values !== undefined)?.values ?? {});
   const ofModel = parameters.length > 0;
   const slots = ofModel ? null : slotColumns(outcome);

@@ -59,7 +59,7 @@ export function packed({ id, job, outcome }: State): Small {
     test.when ?? null,
     test.values ?? null,
     test.places ? test.parts.map(number) : null,
-    test.span ? [...test.span, test.ends ?? null] : null,
+    test.span || test.ends ? [...(test.span ?? [null, null]), test.ends ?? null] : null,
   ]);
   return { id, job: small, outcome: { ...outcome, names, tests } };
 }
@@ -194,6 +194,7 @@ function outcomeIn(given: Record<string, unknown>, job: Job): Outcome | null {
     notes.every(isText) &&
     (budget === null || isNumber(budget)) &&
     (finish === null || isText(finish)) &&
+    (rest['soonest'] == null || isText(rest['soonest'])) &&
     [null, 'seconds', 'minutes', 'hours'].includes(unit as null) &&
     ['pairs', 'triples'].includes(met['what'] as string) &&
     isNumber(met['needed']) &&

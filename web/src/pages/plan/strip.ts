@@ -5,10 +5,18 @@ import { hoursOf, isDone, namesOf, testName, verdictOf, type Outcome } from './o
 
 const steps = [0.25, 0.5, 1, 2, 3, 4, 6, 8, 12, 24];
 
-/** How long the day of the bench with the most hours is, in the unit of costs; null: no days. */
-export function dayOf({ benches, unit }: Outcome): number | null {
-  const hours = (benches ?? []).flatMap((each) => (each.hours === null ? [] : [each.hours]));
-  return hours.length === 0 ? null : Math.max(...hours) / hoursOf[unit ?? 'hours'];
+/** Hours in the unit of costs. */
+const inUnit = (hours: number, unit: Outcome['unit']): number => hours / hoursOf[unit ?? 'hours'];
+
+/**
+ * How long the longest day of the benches that work is, in the unit of costs; a bench without hours
+ * works day and night. null: no days.
+ */
+function dayOf({ benches, unit }: Outcome): number | null {
+  const up = (benches ?? []).filter(({ down }) => !down);
+  return up.every(({ hours }) => hours === null)
+    ? null
+    : inUnit(Math.max(...up.map(({ hours }) => hours ?? 24)), unit);
 }
 
 /** How long a bench could work until then: its nights are over sooner than those of others. */
@@ -27,7 +35,7 @@ export function idleOf(outcome: Outcome, name: string): number {
     return 0;
   }
   const day = dayOf(outcome);
-  const own = bench.hours === null ? null : bench.hours / hoursOf[outcome.unit ?? 'hours'];
+  const own = bench.hours === null ? null : inUnit(bench.hours, outcome.unit);
   const work = timed.reduce((sum, { cost }) => sum + cost, 0);
   const idle = worked(last[1], own, day) - worked(first[0], own, day) - work;
   return Math.max(0, Math.round(idle * 1e6) / 1e6);
@@ -37,11 +45,7 @@ export function idleOf(outcome: Outcome, name: string): number {
 function ticks(end: number, day: number | null): { at: number; text: string; day: boolean }[] {
   const wanted = end / 10;
   const many = day !== null && end > 4 * day;
-  const unit = many ? day : null;
-  const step =
-    unit !== null
-      ? unit * Math.ceil(wanted / unit)
-      : (steps.find((each) => each >= wanted) ?? Math.ceil(wanted / 24) * 24);
+  const step = steps.find((each) => each >= wanted) ?? Math.ceil(wanted / 24) * 24;
   const found: { at: number; text: string; day: boolean }[] = [];
   if (day === null) {
     for (let at = 0; at <= end; at += step) {
@@ -49,8 +53,9 @@ function ticks(end: number, day: number | null): { at: number; text: string; day
     }
     return found;
   }
+  const every = many ? Math.ceil(wanted / day) : 1;
   for (let today = 0; today * day < end; ++today) {
-    if (!many || (today * day) % step === 0) {
+    if (today % every === 0) {
       found.push({ at: today * day, text: `day ${today + 1}`, day: true });
     }
     for (let at = step; !many && at < day && today * day + at <= end; at += step) {
@@ -82,7 +87,7 @@ export function timeStrip(outcome: Outcome, go: (test: number) => void): Strip |
   };
   const bars = new Map<number, HTMLElement>();
   const lane = ({ name, down, hours }: NonNullable<Outcome['benches']>[number]): Child[] => {
-    const own = hours === null ? null : hours / hoursOf[unit ?? 'hours'];
+    const own = hours === null ? null : inUnit(hours, unit);
     const nights: Child[] = [];
     if (own !== null && day !== null && own < day) {
       for (let today = 0; today * day + own < end; ++today) {
@@ -93,7 +98,7 @@ export function timeStrip(outcome: Outcome, go: (test: number) => void): Strip |
         );
       }
     }
-    const own_bars = tests.flatMap((test, i): Child[] => {
+    const ownBars = tests.flatMap((test, i): Child[] => {
       if (test.bench !== name || !test.span) {
         return [];
       }
@@ -108,6 +113,7 @@ export function timeStrip(outcome: Outcome, go: (test: number) => void): Strip |
         {
           type: 'button',
           class: 'bar',
+          tabindex: -1, // The table below has the same tests.
           title: said,
           'aria-label': said,
           onclick: () => go(i),
@@ -119,7 +125,7 @@ export function timeStrip(outcome: Outcome, go: (test: number) => void): Strip |
     });
     return [
       h('span', { class: 'lane-name' }, name),
-      h('div', { class: down ? 'lane down' : 'lane' }, nights, own_bars),
+      h('div', { class: down ? 'lane down' : 'lane' }, nights, ownBars),
     ];
   };
   const what = day !== null || unit === 'hours' ? 'hours' : (unit ?? 'cost as time');

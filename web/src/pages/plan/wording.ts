@@ -33,7 +33,7 @@ const fields = {
   },
 } satisfies Record<string, Record<Job['source'], Words>>;
 
-export type Worded = Record<
+type Worded = Record<
   keyof typeof fields,
   HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement
 >;

@@ -2,7 +2,7 @@
 // remembers that plan.
 import { address, get, type Benches, type Plan, type Planned } from '../../lib/api';
 import { h } from '../../lib/dom';
-import { fileOf } from './actions';
+import { fileOf } from './job';
 import { isDone, type Outcome } from './outcome';
 
 const setUpsOf = (steps: readonly { set_up: string[] }[]): string[][] =>
