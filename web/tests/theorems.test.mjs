@@ -112,13 +112,17 @@ test('theorems are found by words, in the contents, too; terms say what they mea
   await page.locator('#theorem-26').waitFor();
   assert.ok(await page.locator('#theorem-1').isHidden());
   assert.ok(await contents.getByText('Double change').isHidden());
-  assert.ok(await contents.getByText('What one of several benches must mount').isVisible());
+  const several = contents.getByRole('link', { name: 'What one of several benches must mount' });
+  assert.ok(await several.isVisible());
+  // What is hidden is not what is read.
+  await contents.locator('[aria-current]:visible', { hasText: 'benches' }).waitFor();
   await page.getByLabel('Find a theorem').fill('');
   const term = page.locator('#theorem-1 a.term').first();
   await term.focus();
   await page.getByRole('tooltip').getByText('every pair is newly covered exactly once').waitFor();
   await page.keyboard.press('Enter');
   await page.waitForURL(/#\/glossary\?term=tight/);
+  await page.getByRole('tooltip').waitFor({ state: 'detached' });
 });
 
 test('constructions are found by words', async (explorer) => {

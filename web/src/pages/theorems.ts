@@ -12,7 +12,7 @@ import { citation, reason } from '../parts/recipe';
 import { link, problem, type Page, type View } from '../shell/router';
 import { linkTerms } from '../parts/knowl';
 import { Gallery } from './theorems/gallery';
-import { groups, kindsOf } from './theorems/groups';
+import { groups, kindsOf, type Entry } from './theorems/groups';
 
 /** As a reader looks for them: by their authors, or else their titles. */
 const inOrder = [...cited].sort(([, one], [, other]) => one.localeCompare(other, 'en'));
@@ -125,13 +125,16 @@ function land(part: HTMLElement, signal: AbortSignal): void {
   heights.observe(part.closest('.page')!);
 }
 
-/** Marks in the contents which part is read, says it in `here`, and keeps that entry in sight. */
+/**
+ * Marks in the contents which part is read, says it in `here`, and keeps that entry in sight. What
+ * it returns does so once more, when the page has other parts.
+ */
 function followReading(
   root: HTMLElement,
   contents: HTMLElement,
   here: HTMLElement,
   signal: AbortSignal,
-): void {
+): () => void {
   const entries = new Map(
     [...contents.querySelectorAll<HTMLElement>('a[data-part]')].map((entry) => [
       entry.dataset['part']!,
@@ -151,10 +154,10 @@ function followReading(
   const mark = (): void => {
     asked = false;
     const line = 80; // A part that was jumped to begins just below the edge of the window.
-    const now = entries.get(
-      (parts.filter((part) => part.getBoundingClientRect().top < line).at(-1) ?? parts[0])?.id ??
-        '',
-    );
+    // What a search hides is at the top, too.
+    const seen = parts.filter((part) => !part.hidden);
+    const read = seen.filter((part) => part.getBoundingClientRect().top < line).at(-1) ?? seen[0];
+    const now = entries.get(read?.id ?? '');
     if (now === marked || !now) {
       return;
     }
@@ -170,31 +173,22 @@ function followReading(
       contents.scrollTop += inside.top - around.top - contents.clientHeight / 2;
     }
   };
-  window.addEventListener('scroll', () => asked || ((asked = true), requestAnimationFrame(mark)), {
-    passive: true,
-    signal,
-  });
-  requestAnimationFrame(mark);
+  const soon = (): void => void (asked || ((asked = true), requestAnimationFrame(mark)));
+  window.addEventListener('scroll', soon, { passive: true, signal });
+  soon();
+  return soon;
 }
 
 /** The theorems as the contents list them; those that are in no group come last. */
-function grouped(
-  proved: readonly Theorem[],
-): (readonly [string, (readonly [number: string, title: string])[]])[] {
-  const titles = new Map(proved.map(({ number, title }) => [number, title]));
+function grouped(proved: readonly Theorem[]): (readonly [string, readonly Entry[]])[] {
+  const numbers = new Set(proved.map(({ number }) => number));
   const placed = new Set(groups.flatMap(([, entries]) => entries.map(([number]) => number)));
   const rest = proved.filter(({ number }) => !placed.has(number));
   return [
     ...groups.map(
-      ([heading, entries]) =>
-        [
-          heading,
-          entries
-            .filter(([number]) => titles.has(number))
-            .map(([number, title]) => [number, title] as const),
-        ] as const,
+      ([heading, entries]) => [heading, entries.filter(([number]) => numbers.has(number))] as const,
     ),
-    ['Others', rest.map(({ number, title }) => [number, title] as const)] as const,
+    ['Others', rest.map(({ number, title }): Entry => [number, title])] as const,
   ].filter(([, entries]) => entries.length > 0);
 }
 
@@ -262,6 +256,27 @@ function construction(it: Construction, gallery: Gallery, chosen: boolean): HTML
   );
 }
 
+/** Shows those that have all words of `input`, and says in `said` how many. */
+function sift(
+  input: HTMLInputElement,
+  said: HTMLElement,
+  texts: readonly string[],
+  show: (i: number, shows: boolean) => void,
+  noun: string,
+): void {
+  const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
+  const found = texts.map((text) => words.every((word) => text.toLowerCase().includes(word)));
+  found.forEach((shows, i) => show(i, shows));
+  const left = found.filter(Boolean).length;
+  const all = count(texts.length, noun);
+  said.textContent =
+    words.length === 0
+      ? all
+      : left === 0
+        ? `No ${noun} says that. Try fewer words.`
+        : `${left} of ${all}`;
+}
+
 export const theorems: Page = {
   path: 'theorems',
   title: 'Theorems',
@@ -293,37 +308,30 @@ export const theorems: Page = {
     const articles = built.map((each) =>
       construction(each, gallery, each.name === wanted.construction),
     );
+    let markRead = (): void => undefined;
     const found = h('p', { class: 'hint', role: 'status' });
     const filter = h('input', {
       type: 'search',
       id: 'filter',
       value: view.params.get('find') ?? '',
       placeholder: 'cyclic, expansion, m = 1',
-      oninput: () => sift(true),
-    });
-
-    function sift(tell: boolean): void {
-      const words = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
-      let left = 0;
-      built.forEach((each, i) => {
-        const text = `${each.name} ${each.summary} ${each.serves} ${each.citation}`.toLowerCase();
-        const shows = words.every((word) => text.includes(word));
-        articles[i]!.hidden = !shows;
-        left += shows ? 1 : 0;
-      });
-      fill(
-        found,
-        words.length === 0
-          ? count(built.length, 'construction')
-          : left === 0
-            ? 'No construction says that. Try fewer words.'
-            : `${left} of ${count(built.length, 'construction')}`,
-      );
-      if (tell) {
+      oninput: () => {
+        siftConstructions();
+        markRead();
         view.go({ find: filter.value.trim() || null }, { quiet: true });
-      }
-    }
-    sift(false);
+      },
+    });
+    const siftConstructions = (): void =>
+      sift(
+        filter,
+        found,
+        built.map(({ name, summary, serves, citation: from }) =>
+          [name, summary, serves, from].join(' '),
+        ),
+        (i, shows) => (articles[i]!.hidden = !shows),
+        'construction',
+      );
+    siftConstructions();
     const links = inPages(new Set(built.map(({ name }) => name)));
     const stated = proved.map((each) =>
       theorem(each, gallery, each.number === wanted.theorem, links),
@@ -339,35 +347,29 @@ export const theorems: Page = {
       type: 'search',
       id: 'seek',
       placeholder: 'tight, k = 5, benches, 23',
-      oninput: () => seekTheorems(),
+      oninput: () => {
+        siftTheorems();
+        statements.rest();
+        markRead();
+      },
     });
-
-    function seekTheorems(): void {
-      const words = seek.value.toLowerCase().split(/\s+/).filter(Boolean);
-      let left = 0;
-      proved.forEach((each, i) => {
-        const text = [each.title, each.statement, ...kindsOf(each.number)].join(' ').toLowerCase();
-        const shows = words.every((word) =>
-          /^\d+$/.test(word) && words.length === 1
-            ? each.number === word || text.includes(word)
-            : text.includes(word),
-        );
-        stated[i]!.element.hidden = !shows;
-        entriesOf.get(each.number)!.hidden = !shows;
-        left += shows ? 1 : 0;
-      });
+    const siftTheorems = (): void => {
+      sift(
+        seek,
+        sought,
+        proved.map((each) =>
+          [each.number, each.title, each.statement, ...kindsOf(each.number)].join(' '),
+        ),
+        (i, shows) => {
+          stated[i]!.element.hidden = !shows;
+          entriesOf.get(proved[i]!.number)!.hidden = !shows;
+        },
+        'theorem',
+      );
       heads.forEach((numbers, head) => {
         head.hidden = numbers.every((number) => entriesOf.get(number)!.hidden);
       });
-      sought.textContent =
-        words.length === 0
-          ? count(proved.length, 'theorem')
-          : left === 0
-            ? 'No theorem says that. Try fewer words.'
-            : `${left} of ${count(proved.length, 'theorem')}`;
-      statements.rest();
-    }
-    sought.textContent = count(proved.length, 'theorem');
+    };
     const missing =
       (wanted.theorem &&
         !proved.some((each) => each.number === wanted.theorem) &&
@@ -409,7 +411,7 @@ export const theorems: Page = {
       );
     const entriesOf = new Map<string, HTMLElement>();
     const heads = new Map<HTMLElement, readonly string[]>();
-    const headOf = (heading: string, entries: readonly (readonly [string, string])[]) => {
+    const headOf = (heading: string, entries: readonly Entry[]) => {
       const head = h('li', { class: 'contents-group' }, heading);
       heads.set(
         head,
@@ -460,6 +462,7 @@ export const theorems: Page = {
       },
       'Expand all',
     );
+    siftTheorems();
     fill(
       view.root,
       h('h1', {}, 'Theorems and constructions'),
@@ -528,7 +531,7 @@ export const theorems: Page = {
         ),
       ),
     );
-    followReading(view.root, contents, here, view.signal);
+    markRead = followReading(view.root, contents, here, view.signal);
     const chosen = view.root.querySelector<HTMLElement>('.chosen');
     if (chosen) {
       land(chosen, view.signal);

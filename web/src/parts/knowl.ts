@@ -24,7 +24,7 @@ const words: readonly (readonly [pattern: string, term: string])[] = [
 ];
 const meanings = new Map(glossary);
 const pattern = new RegExp(`\\b(?:${words.map(([each]) => `(${each})`).join('|')})\\b`, 'i');
-const left = '.badge, a, button, code, math, .math, h1, h2, h3, summary, label, svg, .verdict h2';
+const left = '.badge, a, button, code, math, .math, h1, h2, h3, summary, label, svg';
 
 let tip: HTMLElement | null = null;
 let shownFor: HTMLElement | null = null;
@@ -33,6 +33,8 @@ function hide(): void {
   tip?.remove();
   shownFor = null;
 }
+// The page that was left stays in sight until the next one has something to show.
+window.addEventListener('hashchange', hide);
 
 function show(anchor: HTMLElement, meaning: string): void {
   tip ??= h('div', { class: 'knowl', role: 'tooltip', id: 'knowl' });
@@ -49,6 +51,7 @@ function show(anchor: HTMLElement, meaning: string): void {
 
 function termLink(text: string, term: string): HTMLElement {
   const meaning = meanings.get(term)!;
+  let first = false;
   const anchor: HTMLElement = h(
     'a',
     {
@@ -61,21 +64,28 @@ function termLink(text: string, term: string): HTMLElement {
       onblur: hide,
       // A finger has no hover: the first tap says what it means, the second leads to the glossary.
       onpointerdown: (event) => {
-        if ((event as PointerEvent).pointerType === 'touch' && shownFor !== anchor) {
-          anchor.addEventListener('click', (tap) => tap.preventDefault(), { once: true });
+        first = (event as PointerEvent).pointerType === 'touch' && shownFor !== anchor;
+        if (first) {
           show(anchor, meaning);
         }
       },
+      onpointercancel: () => (first = false), // It became a scroll.
+      onclick: (event) => {
+        if (first) {
+          event.preventDefault();
+          first = false;
+        }
+      },
       onkeydown: (event) => (event as KeyboardEvent).key === 'Escape' && hide(),
-      onclick: () => setTimeout(() => shownFor?.isConnected || hide(), 0),
     },
     text,
   );
   return anchor;
 }
 
-/** Links the first place of each term below `root`; `known` are those that were linked before. */
-export function linkTerms(root: Element, known = new Set<string>()): void {
+/** Links the first place of each term below `root`. */
+export function linkTerms(root: Element): void {
+  const known = new Set<string>();
   const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
   const texts: Text[] = [];
   while (walker.nextNode()) {

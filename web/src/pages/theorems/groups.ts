@@ -3,7 +3,7 @@
 type Kind = 'minimum' | 'tight' | 'construction' | 'bound';
 
 /** A theorem in the contents. */
-type Entry = readonly [number: string, title: string, ...kinds: Kind[]];
+export type Entry = readonly [number: string, title: string, ...kinds: Kind[]];
 
 export const groups: readonly (readonly [heading: string, entries: readonly Entry[]])[] = [
   [
