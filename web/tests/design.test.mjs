@@ -453,6 +453,19 @@ test('what a researcher asks of a design, how to cite it, and its write-up', asy
     .getAttribute('href');
   const answer = await page.request.get(new URL(address, page.url()).href);
   assert.match(await answer.text(), /A circular DCCD\(40,6\) with 88 blocks/);
+  // What the catalog writes down has its words from there.
+  const written = '9.4.2.circular.8.235d6c95';
+  await page.goto(page.url().replace(/#.*/, `#/design?label=${written}`));
+  await page.locator('.under .code', { hasText: written }).waitFor();
+  await fact('source').getByText('Found and written down').waitFor();
+  const [known] = (
+    await (
+      await page.request.get(new URL('api/cell?v=9&k=4&change=2&kind=circular', page.url()).href)
+    ).json()
+  ).designs.filter((each) => each.label === written);
+  await fact('SHA-256').getByText(known.hash, { exact: true }).waitFor();
+  await page.goBack();
+  await page.locator('.under .code', { hasText: label }).waitFor();
   // The array is as wide as the page, at every width.
   await page.getByRole('tab', { name: 'Array' }).click();
   for (const width of [1280, 700, 390]) {

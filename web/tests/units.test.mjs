@@ -488,10 +488,11 @@ test('sheets: what is taken out, what results say, the CSV for the planner', asy
 });
 
 test('symmetries: rotations, twins, none', async () => {
-  const { symmetryOf, cyclesOf } = await load('lib/symmetry.ts');
+  const { symmetryOf, cyclesOf, groupWords } = await load('lib/symmetry.ts');
   const developed = Array.from({ length: 7 }, (_, j) => [0, 1, 3].map((x) => (x + j) % 7));
   const turned = symmetryOf({ v: 7, kind: 'circular', blocks: developed });
   assert.deepEqual([turned.rotations, turned.shift, turned.order], [7, 1, '7']);
+  assert.equal(groupWords(turned), 'order 7, 7 rotations');
   developed.forEach((block, i) =>
     assert.deepEqual(block.map((x) => turned.map[x]).sort(), [...developed[(i + 1) % 7]].sort()),
   );
@@ -511,6 +512,9 @@ test('symmetries: rotations, twins, none', async () => {
     ],
   });
   assert.equal(twins.order, '24');
+  assert.equal(groupWords(twins), 'order 24, 3 rotations');
+  const large = { ...twins, rotations: 1, order: '1307674368000000' };
+  assert.equal(groupWords(large), 'order about 10^15');
   assert.equal(twins.twins.length, 3);
 });
 

@@ -1,5 +1,6 @@
 // Triples and larger sets that meet, against a count that knows no ranks.
 import assert from 'node:assert/strict';
+import { createHash, webcrypto } from 'node:crypto';
 import { test } from 'node:test';
 import { load } from './support/source.mjs';
 
@@ -58,4 +59,47 @@ test('sets: pairs are counted elsewhere, and too many sets are not', () => {
   const blocks = [[0, 1, 2]];
   assert.equal(Sets.of({ v: 3, k: 3, change: 1, kind: 'linear', blocks }), null);
   assert.equal(Sets.of({ v: 400, k: 3, change: 1, kind: 'linear', strength: 3, blocks }), null);
+});
+
+test('pairs: how often each is newly covered', async () => {
+  const { timesOf } = await load('pages/design/times.ts');
+  const of = (kind, blocks) => {
+    const times = timesOf({ v: 4, kind, blocks });
+    return subsets([0, 1, 2, 3], 2).map(([x, y]) => {
+      assert.equal(times[x * 4 + y], times[y * 4 + x]);
+      return times[x * 4 + y];
+    });
+  };
+  // The third block introduces 03 again, and from there 03 goes on to the first block.
+  const blocks = [
+    [3, 0, 1],
+    [1, 3, 2],
+    [2, 0, 3],
+  ];
+  assert.deepEqual(of('linear', blocks), [1, 1, 2, 1, 1, 1]);
+  assert.deepEqual(of('circular', blocks), [1, 1, 1, 1, 1, 1]);
+  // One block alone introduces all of its elements.
+  assert.deepEqual(of('circular', [[0, 1, 2]]), [1, 1, 0, 1, 0, 0]);
+});
+
+test('the checksum of a design is that of its blocks as text', async () => {
+  const { checksumOf } = await load('lib/checksum.ts');
+  globalThis.crypto ??= webcrypto; // Node 18 has no such global.
+  const hex = createHash('sha256').update('0 1 2\n2 3 0\n').digest('hex');
+  const blocks = [
+    [0, 1, 2],
+    [2, 3, 0],
+  ];
+  assert.equal(await checksumOf(2, 3, (i) => blocks[i]), hex);
+  const flat = Int32Array.from(blocks.flat());
+  assert.equal(await checksumOf(2, 3, (i) => flat.subarray(3 * i, 3 * i + 3)), hex);
+  const never = () => assert.fail('too many blocks are not read');
+  assert.equal(await checksumOf(2_000_000, 3, never), null);
+});
+
+test('a cell as the command line takes it, with its strength', async () => {
+  const { cellArguments } = await load('parts/command.ts');
+  const cell = { v: 9, k: 4, change: 1, kind: 'linear' };
+  assert.equal(cellArguments(cell), '9 4 --change 1 --linear');
+  assert.equal(cellArguments({ ...cell, strength: 3 }), '9 4 --change 1 --linear --strength 3');
 });

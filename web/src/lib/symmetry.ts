@@ -5,6 +5,7 @@
 // an automorphism exactly if every column moved by s is a column again; the smallest such s divides
 // the number of blocks.
 import type { Design } from './api';
+import { count, number } from './words';
 
 export interface Symmetry {
   /** Rotations of the blocks that extend to the elements, the identity among them. */
@@ -80,6 +81,15 @@ export function symmetryOf({ v, kind, blocks }: Pick<Design, 'v' | 'kind' | 'blo
     order: order.toString(),
   };
 }
+
+/** The order of the group; a long one by its power of ten. */
+export const orderWords = ({ order }: Symmetry): string =>
+  order.length > 15 ? `about 10^${order.length - 1}` : number(Number(order));
+
+/** "order 7, 7 rotations". */
+export const groupWords = (symmetry: Symmetry): string =>
+  `order ${orderWords(symmetry)}` +
+  (symmetry.rotations > 1 ? `, ${count(symmetry.rotations, 'rotation')}` : '');
 
 /** The cycles of a map, the longest first. */
 export function cyclesOf(map: Int32Array): number[][] {

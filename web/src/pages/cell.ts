@@ -3,19 +3,13 @@
 import { ApiError, type Cell, type CellDetail, type Design, type TreeNode } from '../lib/api';
 import { fill, h, scroll, type Child } from '../lib/dom';
 import { formula } from '../lib/mathematics';
-import {
-  cellDetail,
-  constructions,
-  designOf,
-  dossierAddress,
-  explain,
-  isHeld,
-} from '../lib/source';
-import { mostLooked, symmetryOf } from '../lib/symmetry';
+import { cellDetail, constructions, designOf, explain, isHeld } from '../lib/source';
+import { groupWords, mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { changeWord, count, nameOf, number } from '../lib/words';
-import { command } from '../parts/command';
+import { cellArguments, command } from '../parts/command';
 import { copyButton } from '../parts/copy';
+import { dossierLink } from '../parts/dossier';
 import { downloads } from '../parts/downloads';
 import { busyKey, cellOf } from '../parts/fields';
 import { linkTerms } from '../parts/knowl';
@@ -252,7 +246,7 @@ function picture(cell: Cell, design: Design, place: HTMLElement, signal: AbortSi
   if (b * design.k > mostLooked || b > 20_000) {
     return;
   }
-  const { order, rotations } = symmetryOf(design);
+  const symmetry = symmetryOf(design);
   fill(
     place,
     h(
@@ -271,13 +265,7 @@ function picture(cell: Cell, design: Design, place: HTMLElement, signal: AbortSi
       'figcaption',
       { class: 'hint' },
       'A row for each element, a bar for each stay. ',
-      order === '1'
-        ? 'No symmetry.'
-        : order.length > 15
-          ? `Group of order about 10^${order.length - 1}`
-          : `Group of order ${number(Number(order))}`,
-      order !== '1' && rotations > 1 && `, ${count(rotations, 'rotation')}`,
-      order !== '1' && '.',
+      symmetry.order === '1' ? 'No symmetry.' : `Group of ${groupWords(symmetry)}.`,
     ),
   );
 }
@@ -460,24 +448,17 @@ export const cell: Page = {
   },
 };
 
-function explaining(cell: Cell): string {
-  return (
-    `changeover explain ${cell.v} ${cell.k} --change ${cell.change} ` +
-    `--${cell.kind}${(cell.strength ?? 2) > 2 ? ` --strength ${cell.strength}` : ''}`
-  );
-}
+const explaining = (cell: Cell): string => `changeover explain ${cellArguments(cell)}`;
 
 function forAPaper(cell: Cell): HTMLElement {
-  const link = (format: string, words: string): HTMLElement =>
-    h('a', { href: dossierAddress(cell, format), target: '_blank', rel: 'noopener' }, words);
   return h(
     'p',
     { class: 'hint' },
     'For a paper, with bounds, construction, blocks, how to check and what to cite: ',
-    link('html', 'a page'),
+    dossierLink(cell, 'html', 'a page'),
     ', ',
-    link('latex', 'LaTeX'),
+    dossierLink(cell, 'latex', 'LaTeX'),
     ', ',
-    link('markdown', 'Markdown'),
+    dossierLink(cell, 'markdown', 'Markdown'),
   );
 }

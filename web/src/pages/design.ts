@@ -1,11 +1,12 @@
 // One design: its pictures, its blocks, and a player that steps through them.
 import { ApiError, type Design } from '../lib/api';
 import { field, fill, h, scroll, select, type Child } from '../lib/dom';
-import { cellOfLabel, designOf, dossierAddress, explain, isCell, type Asked } from '../lib/source';
+import { cellOfLabel, designOf, explain, isCell, type Asked } from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { count, nameOf, setsOf, setWord } from '../lib/words';
 import { copyButton } from '../parts/copy';
+import { dossierLink } from '../parts/dossier';
 import { asText, downloads } from '../parts/downloads';
 import { askedOf } from '../parts/fields';
 import { recipeTree } from '../parts/recipe';
@@ -137,23 +138,17 @@ function forAPaper(design: Design, frozen: boolean, signal: AbortSignal): Child[
     return [];
   }
   const [button, shown] = citation(label, signal);
-  const page = (format: string, words: string): HTMLElement =>
-    h(
-      'a',
-      {
-        class: 'button plain',
-        href: dossierAddress({ label }, format),
-        target: '_blank',
-        rel: 'noopener',
-      },
-      words,
-    );
   return [
     h('h2', {}, 'For a paper'),
     h(
       'p',
       { class: 'buttons' },
-      !frozen && [page('html', 'Write-up'), ' ', page('latex', 'Write-up in LaTeX'), ' '],
+      !frozen && [
+        dossierLink({ label }, 'html', 'Write-up', true),
+        ' ',
+        dossierLink({ label }, 'latex', 'Write-up in LaTeX', true),
+        ' ',
+      ],
       button,
     ),
     shown,
@@ -258,9 +253,8 @@ export const design: Page = {
     const sets = Sets.of(shown);
     const strength = shown.strength ?? 2;
     const counted = strength === 2 || sets !== null;
-    const symmetry =
-      shown.kind === 'circular' && b * shown.k <= mostLooked ? symmetryOf(shown) : null;
-    const symmetries = symmetry ?? (b * shown.k <= mostLooked ? symmetryOf(shown) : null);
+    const symmetries = b * shown.k <= mostLooked ? symmetryOf(shown) : null;
+    const symmetry = shown.kind === 'circular' ? symmetries : null; // Of linear ones no circle.
     const save = (
       which: 'array' | 'stays' | 'coverage' | 'circle',
       how: () => object,
@@ -390,8 +384,8 @@ export const design: Page = {
                 h(
                   'span',
                   { class: 'hint' },
-                  `Lit: pairs ${sets ? 'that are complete with' : 'that first meet in'} blocks ${chosen.range.from} to ` +
-                    `${chosen.range.to}. `,
+                  `Lit: pairs ${sets ? 'that are complete with' : 'that first meet in'} blocks ` +
+                    `${chosen.range.from} to ${chosen.range.to}. `,
                   h(
                     'button',
                     {

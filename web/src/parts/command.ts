@@ -1,4 +1,5 @@
 // A command line as pages show it: no line is broken inside of a word.
+import type { Cell } from '../lib/api';
 import { h } from '../lib/dom';
 
 export function command(line: string): HTMLElement {
@@ -8,3 +9,7 @@ export function command(line: string): HTMLElement {
     line.split(' ').flatMap((word, i) => [i > 0 ? ' ' : null, h('span', { class: 'word' }, word)]),
   );
 }
+
+/** What the verbs that take a cell are told of it. */
+export const cellArguments = ({ v, k, change, kind, strength = 2 }: Cell): string =>
+  `${v} ${k} --change ${change} --${kind}${strength > 2 ? ` --strength ${strength}` : ''}`;

@@ -3,10 +3,11 @@ import type { Cell, CellDetail } from '../../lib/api';
 import { counted } from '../../lib/atlas';
 import { work } from '../../lib/citations';
 import { h, type Child } from '../../lib/dom';
-import { dossierAddress } from '../../lib/source';
 import { count, number, ratio } from '../../lib/words';
-import { command } from '../../parts/command';
+import { cellArguments, command } from '../../parts/command';
+import { dossierLink } from '../../parts/dossier';
 import { ladder } from '../../parts/ladder';
+import { lead } from '../../parts/lead';
 import { reason } from '../../parts/recipe';
 import { badge } from '../../parts/status';
 import { link } from '../../shell/router';
@@ -98,12 +99,11 @@ export function summary(
                 h(
                   'a',
                   {
-                    href: '#lower-bounds',
+                    href: link('cell', { ...cell }),
                     onclick: (event) => {
                       event.preventDefault();
                       const target = document.getElementById('lower-bounds');
-                      target?.scrollIntoView({ block: 'start' });
-                      target?.focus({ preventScroll: true });
+                      target && lead(target, target, 'start');
                     },
                   },
                   /bound|proofs/.test(strongest.name)
@@ -129,17 +129,7 @@ export function summary(
         { class: 'buttons' },
         openDesign(cell, best.b),
         ' ',
-        !frozen &&
-          h(
-            'a',
-            {
-              class: 'button plain',
-              href: dossierAddress(cell, 'html'),
-              target: '_blank',
-              rel: 'noopener',
-            },
-            'Write-up for a paper',
-          ),
+        !frozen && dossierLink(cell, 'html', 'Write-up for a paper', true),
         ' ',
         !frozen &&
           best.status !== 'minimum' &&
@@ -163,10 +153,7 @@ function openDesign(cell: Cell, b: number): HTMLElement {
         'span',
         { class: 'hint' },
         `${number(b)} blocks are too many for a page. This writes them: `,
-        command(
-          `changeover design ${cell.v} ${cell.k} --change ${cell.change} --${cell.kind} ` +
-            '--format text -o FILE',
-        ),
+        command(`changeover design ${cellArguments(cell)} --format text -o FILE`),
       )
     : h('a', { class: 'button', href: link('design', { ...cell }) }, 'Open the design');
 }

@@ -1,50 +1,41 @@
 // A design in numbers: what a researcher asks of one. What each means is said on its name.
 import type { CatalogEntry, Design } from '../../lib/api';
+import { checksumOf } from '../../lib/checksum';
 import { fill, h, type Child } from '../../lib/dom';
 import { cellDetail } from '../../lib/source';
-import type { Symmetry } from '../../lib/symmetry';
+import { groupWords, orderWords, type Symmetry } from '../../lib/symmetry';
 import { termsOf } from '../../lib/terms';
 import { changeWord, count, number, setsOf } from '../../lib/words';
 import type { Stays } from '../../parts/stays';
-import { asText } from '../../parts/downloads';
 import { badge } from '../../parts/status';
 import { link } from '../../shell/router';
+import { madeBy } from '../cell/designs';
+import { timesOf } from './times';
 
 /** So many pairs are named. */
 const mostNamed = 6;
 /** Of more elements in all blocks together pairs and subsets are not counted. */
 const mostCounted = 400_000;
+/** Nor of more elements: a number is kept for each pair. */
+const mostPaired = 2_000;
 
 const cellLink = ({ v, k, change, kind, strength }: Design): string =>
   link('cell', { v, k, change, kind, strength: strength === 2 ? null : strength });
 
-/** What newly covers pairs: how often each pair is newly covered, by `x·v + y` with x < y. */
-function newlyCovered({ v, kind, blocks }: Design): Map<number, number> {
-  const times = new Map<number, number>();
-  blocks.forEach((block, i) => {
-    const before = new Set(
-      i > 0 ? blocks[i - 1] : kind === 'circular' && blocks.length > 1 ? blocks.at(-1) : [],
-    );
-    block.forEach((x, at) =>
-      block.slice(at + 1).forEach((y) => {
-        if (!before.has(x) || !before.has(y)) {
-          const pair = Math.min(x, y) * v + Math.max(x, y);
-          times.set(pair, (times.get(pair) ?? 0) + 1);
-        }
-      }),
-    );
-  });
-  return times;
-}
-
-/** "12: 0–3, 1–7 twice, 2–5 three times and 4 more pairs". */
+/** "12: newly covered again 2–5 (3×), 1–7 (2×), 0–3 and 4 more pairs". */
 function excessOf(design: Design): string | null {
   const { v, k, blocks, labels } = design;
-  if ((design.strength ?? 2) !== 2 || blocks.length * k * k > mostCounted * 4) {
+  if ((design.strength ?? 2) !== 2 || v > mostPaired || blocks.length * k * k > mostCounted * 4) {
     return null;
   }
   const name = (x: number): string => labels?.[x] ?? String(x);
-  const again = [...newlyCovered(design)].filter(([, times]) => times > 1);
+  const counts = timesOf(design);
+  const again: [pair: number, times: number][] = [];
+  counts.forEach((times, pair) => {
+    if (times > 1 && Math.floor(pair / v) < pair % v) {
+      again.push([pair, times]);
+    }
+  });
   const excess = again.reduce((sum, [, times]) => sum + times - 1, 0);
   if (excess === 0) {
     return '0';
@@ -108,20 +99,6 @@ function unchangedOf({ kind, blocks, k, change, v }: Design): string | null {
   );
 }
 
-/** The checksum that labels have, where this window may compute one. */
-async function checksumOf(design: Design): Promise<string | null> {
-  if (!window.crypto.subtle || design.blocks.length * design.k > mostCounted) {
-    return null;
-  }
-  const { labels, ...bare } = design;
-  const lines = asText(bare as Design)
-    .split('\n')
-    .filter((line) => line !== '' && !line.startsWith('#'));
-  const bytes = new TextEncoder().encode(lines.map((line) => `${line}\n`).join(''));
-  const digest = new Uint8Array(await window.crypto.subtle.digest('SHA-256', bytes));
-  return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
-}
-
 /** The entry of the catalog that has this label. */
 async function entryOf(design: Design, signal: AbortSignal): Promise<CatalogEntry | null> {
   if (!design.label) {
@@ -147,12 +124,17 @@ export function chips(design: Design, symmetry: Symmetry | null): HTMLElement | 
       : chip(`${number(gap)} over the bound ${number(verdict.lower_bound)}`),
     verdict.tight && h('span', { class: 'badge good' }, 'tight'),
     !verdict.tight && verdict.economical && h('span', { class: 'badge good' }, 'economical'),
-    symmetry && symmetry.order !== '1' && chip(`group of order ${groupOf(symmetry)}`),
+    symmetry && symmetry.order !== '1' && chip(`group of order ${orderWords(symmetry)}`),
   );
 }
 
-const groupOf = ({ order }: Symmetry): string =>
-  order.length > 15 ? `about 10^${order.length - 1}` : number(Number(order));
+/** Who made it, or the construction that does. */
+function sourceOf({ recipe }: Design, entry: CatalogEntry | null): Child[] {
+  const construction = entry?.construction ?? recipe?.construction;
+  return construction
+    ? [...madeBy(construction), entry?.credit.who && `, ${entry.credit.who}`]
+    : ['not known'];
+}
 
 export function facts(
   design: Design,
@@ -163,8 +145,6 @@ export function facts(
   const verdict = design.verdict;
   const strength = design.strength ?? 2;
   const terms = termsOf(strength);
-  const rotations =
-    symmetry && symmetry.rotations > 1 ? `, ${count(symmetry.rotations, 'rotation')}` : '';
   const unchanged = unchangedOf(design);
   const excess = excessOf(design);
   const later = (): HTMLElement => h('span', {}, '…');
@@ -201,7 +181,7 @@ export function facts(
   if (symmetry) {
     rows.push([
       'group',
-      `order ${groupOf(symmetry)}${rotations}`,
+      groupWords(symmetry),
       'relabellings of the elements that map the design to itself',
     ]);
   }
@@ -209,40 +189,29 @@ export function facts(
   if (unchanged !== null) {
     rows.push(['unchanged subsets', unchanged, terms.unchanged]);
   }
+  if (design.label || design.recipe) {
+    rows.push(['source', source, 'who made it, or the construction that does']);
+  }
   if (design.label) {
-    rows.push(
-      ['source', source, 'who made it, or the construction that does'],
-      ['date', date, 'when it came into the catalog'],
-    );
-    entryOf(design, signal).then(
-      (entry) => {
-        fill(
-          source,
-          !entry
-            ? 'a construction'
-            : [
-                h(
-                  'a',
-                  { href: link('theorems', { construction: entry.construction }) },
-                  entry.construction,
-                ),
-                entry.credit.who && `, ${entry.credit.who}`,
-              ],
-        );
-        fill(date, entry?.credit.date || 'not known');
-      },
-      () => [source, date].forEach((place) => fill(place, 'not known')),
-    );
+    rows.push(['date', date, 'when it came into the catalog']);
   }
   rows.push([
     'SHA-256',
     h('span', { class: 'code small' }, checksum),
     'of the blocks, one a line; a label ends with its first eight digits',
   ]);
-  checksumOf(design).then(
-    (found) => fill(checksum, found ?? 'is in the file with the blocks'),
-    () => fill(checksum, 'not computed'),
-  );
+  void entryOf(design, signal)
+    .catch(() => null) // All else is there.
+    .then(async (entry) => {
+      fill(source, sourceOf(design, entry));
+      entry?.credit.date ? fill(date, entry.credit.date) : date.closest('tr')?.remove();
+      const { blocks, k } = design;
+      return entry?.hash ?? (await checksumOf(blocks.length, k, (i) => blocks[i]!));
+    })
+    .then(
+      (hash) => fill(checksum, hash ?? 'is in the file with the blocks'),
+      () => fill(checksum, 'not computed'),
+    );
   return h(
     'table',
     { class: 'fact-table' },

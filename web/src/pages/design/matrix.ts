@@ -10,6 +10,7 @@ import { theme } from '../../shell/theme';
 import type { Chosen } from './selection';
 import type { Sets } from './sets';
 import type { Steps } from './steps';
+import { timesOf } from './times';
 
 export interface Matrix {
   readonly element: HTMLElement;
@@ -70,33 +71,9 @@ export function matrix(
   }
 
   /** How often each pair is newly covered; counted when it is first asked for. */
-  let often: Uint16Array | null = null;
-  function times(): Uint16Array {
-    if (!often && sets) {
-      often = Uint16Array.from(sets.excessByPair(), (more) => more + 1);
-    } else if (!often) {
-      often = new Uint16Array(v * v);
-      const counts = often;
-      const circular = chosen.design.kind === 'circular';
-      const { blocks } = chosen.design;
-      const before = new Uint8Array(v);
-      blocks.forEach((block, i) => {
-        before.fill(0);
-        const last = i > 0 ? blocks[i - 1]! : circular ? blocks.at(-1)! : [];
-        last.forEach((x) => (before[x] = 1));
-        block.forEach((x, p) => {
-          for (let q = p + 1; q < block.length; ++q) {
-            const y = block[q]!;
-            if (!before[x] || !before[y]) {
-              ++counts[x * v + y]!;
-              ++counts[y * v + x]!;
-            }
-          }
-        });
-      });
-    }
-    return often;
-  }
+  let often: Int32Array | null = null;
+  const times = (): Int32Array =>
+    (often ??= sets ? sets.excessByPair().map((more) => more + 1) : timesOf(chosen.design));
 
   /** Squares: a pixel each, enlarged. They are recoloured where what they depend on has changed. */
   const small = document.createElement('canvas');

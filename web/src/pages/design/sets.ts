@@ -2,6 +2,7 @@
 // these sets is first together, and how often it is newly covered.
 import type { Design } from '../../lib/api';
 import { choose } from '../../lib/atlas';
+import { blockBefore } from './times';
 
 /** More sets, or sets in blocks, than this are not counted in a page. */
 const mostSets = 4_000_000;
@@ -34,9 +35,7 @@ export class Sets {
     const before = new Uint8Array(v);
     blocks.forEach((block, i) => {
       before.fill(0);
-      const last = i > 0 ? blocks[i - 1]! : circular ? blocks.at(-1)! : [];
-      // A design with one block follows itself and introduces nothing.
-      (blocks.length > 1 ? last : []).forEach((x) => (before[x] = 1));
+      blockBefore(blocks, i, circular).forEach((x) => (before[x] = 1));
       let fresh = 0;
       this.eachOf(block, (set, rank) => {
         if (!set.every((x) => before[x] === 1)) {

@@ -1,5 +1,6 @@
 // A list that is a design: is it known, from whom, and how is it cited.
 import type { Cell } from '../../lib/api';
+import { checksumOf } from '../../lib/checksum';
 import { fill, h } from '../../lib/dom';
 import { cellDetail, cite } from '../../lib/source';
 import { getText } from '../../lib/api';
@@ -8,31 +9,14 @@ import { copyButton } from '../../parts/copy';
 import { link, problem } from '../../shell/router';
 import type { Report } from './check';
 
-/**
- * The checksum of which a label has the first digits: of the blocks as text. Null where the browser
- * has none.
- */
-async function checksum({ blocks: { k, b, blocks } }: Report): Promise<string | null> {
-  if (!globalThis.crypto?.subtle || b * k > 5_000_000) {
-    return null;
-  }
-  let text = '';
-  for (let i = 0; i < b; ++i) {
-    text += `${blocks.subarray(i * k, (i + 1) * k).join(' ')}\n`;
-  }
-  const bytes = new Uint8Array(
-    await crypto.subtle.digest('SHA-256', new TextEncoder().encode(text)),
-  );
-  return [...bytes].map((each) => each.toString(16).padStart(2, '0')).join('');
-}
-
 export function citation(report: Report, signal: AbortSignal): HTMLElement {
-  const { v, k, b, change, kind, strength } = report.blocks;
+  const { v, k, b, change, kind, strength, blocks } = report.blocks;
+  const block = (i: number) => blocks.subarray(i * k, (i + 1) * k);
   const place = h('div', {}, h('p', { class: 'hint' }, 'Asking whether it is known …'));
   const cell: Cell = { v, k, change, kind, ...(strength === 2 ? {} : { strength }) };
   void (async () => {
     try {
-      const [detail, hash] = await Promise.all([cellDetail(cell, signal), checksum(report)]);
+      const [detail, hash] = await Promise.all([cellDetail(cell, signal), checksumOf(b, k, block)]);
       const same = hash === null ? undefined : detail.designs.find((entry) => entry.hash === hash);
       const best = detail.best?.b ?? null;
       const text = same ? await cite(same.label, signal) : await getText('cite', {}, signal);
