@@ -123,6 +123,21 @@ test('theorems are found by words, in the contents, too; terms say what they mea
   await page.keyboard.press('Enter');
   await page.waitForURL(/#\/glossary\?term=tight/);
   await page.getByRole('tooltip').waitFor({ state: 'detached' });
+  // A finger's first tap shows the meaning and the second leads there; no tap is one that scrolls.
+  const touched = { pointerType: 'touch', bubbles: true };
+  for (const scrolls of [false, true]) {
+    await page.goBack();
+    await term.dispatchEvent('pointerdown', touched);
+    await page.getByRole('tooltip').waitFor();
+    await term.dispatchEvent(scrolls ? 'pointercancel' : 'click', {
+      bubbles: true,
+      cancelable: true,
+    });
+    await settled(page);
+    assert.match(page.url(), /#\/theorems/);
+    await term.dispatchEvent('click', { bubbles: true, cancelable: true });
+    await page.waitForURL(/#\/glossary\?term=tight/);
+  }
 });
 
 test('constructions are found by words', async (explorer) => {

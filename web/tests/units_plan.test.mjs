@@ -211,4 +211,9 @@ test('after a replan the clock begins anew: tests that are done are in no lane',
     kept.map(({ span, ends }) => [span, ends]),
     outcome.tests.map(({ span, ends }) => [span, ends]),
   );
+  // What stands on the page as words is words.
+  const soonest = (value) =>
+    unpacked(packed({ ...state, outcome: { ...outcome, soonest: value } }));
+  assert.equal(soonest('day 1, 9:00').outcome.soonest, 'day 1, 9:00');
+  assert.equal(soonest({}), null);
 });
