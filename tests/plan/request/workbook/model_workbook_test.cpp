@@ -142,10 +142,9 @@ TEST_F(ModelWorkbook, ItsPairsMayAllBeGoneFromTheModel) {
   const std::string bytes = planned();
   JobRequest other;
   other.model.text = "A: 1, 2, 3\nB: x, y\nC: u, v\n";
-  EXPECT_EQ(
-      message_of([&] { (void)opened(bytes, other); }),
-      "parts: each of the pairs that were to be tested, as 'A: 1', 'B: z', has a value that is "
-      "no longer in the model; list other pairs");
+  EXPECT_EQ(message_of([&] { (void)opened(bytes, other); }),
+            "parts: each of the pairs that were to be tested, as '1', 'z', has a value that is "
+            "no longer in the model; list other pairs");
   other.pairs.text = "1,x\n";
   planned(opened(bytes, other));
   EXPECT_EQ(asked.job->needed.size(), 1U);
