@@ -10,10 +10,8 @@
 #include "core/contains.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
-#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {
@@ -29,41 +27,6 @@ void check_mounted_left(const Bench& bench, const std::string& name, const std::
           "change what is mounted there",
           list, shown(name), options.all_values->names[x]));
     }
-  }
-}
-
-// The first set-ups of a model. None can have a value that is left out from now on.
-std::vector<Block> first_of_model(Input& input, const OldListOptions& options, const Job& job) {
-  DoneList list = read_first_list(input, *options.all_values, job.at_once);
-  if (options.notes != nullptr) {
-    options.notes->insert(options.notes->end(), list.notes.begin(), list.notes.end());
-  }
-  for (DoneRow& row : list.rows) {
-    for (const Element x : row.setup) {
-      if ((*options.left)(Block{x}).empty()) {
-        fail(input.name(), {row.line, 1},
-             fmt::format("{} is left out from now on; set another value, or leave this one open",
-                         options.all_values->names[x]));
-      }
-    }
-    row.setup = (*options.left)(row.setup);
-  }
-  return checked_first(input.name(), std::move(list), job);
-}
-
-// Parts that broke are in no set-up.
-void note_left_out(const std::string& name, const DoneList& list, const OldListOptions& options) {
-  Block without;
-  for (const DoneRow& row : list.rows) {
-    for (const Element x : row.setup) {
-      if ((*options.left)(Block{x}).empty() && !contains(without, x)) {
-        without.push_back(x);
-      }
-    }
-  }
-  if (!without.empty() && options.notes != nullptr) {
-    options.notes->push_back(fmt::format("{}: left out from now on, so not in its set-ups: {}",
-                                         name, parts_text(without, *options.names)));
   }
 }
 
@@ -105,48 +68,6 @@ void check_benches(const Job& job, const std::vector<Bench>& benches, const std:
   if (!found.empty()) {
     throw BadInput((file.empty() ? "" : (file == "-" ? "<stdin>" : file) + ": ") +
                    leading_defect(found));
-  }
-}
-
-void take_first(Input& input, const OldListOptions& options, Job& job,
-                std::vector<Bench>& benches) {
-  if (job.model != nullptr) {
-    job.first = first_of_model(input, options, job);
-    return;
-  }
-  const DoneList list =
-      read_first_list(input, *options.names, most_at_once(job, benches), options.gone);
-  note_left_out(input.name(), list, options);
-  for (const DoneRow& row : list.rows) {
-    const Place place{row.line, 1};
-    const Block setup = (*options.left)(row.setup);
-    if (setup.empty() && (row.lacks || !row.setup.empty())) {
-      continue;
-    }
-    const std::string& name = row.bench;
-    const auto bench = find_bench(benches, name);
-    if (!name.empty() && !bench) {
-      fail(input.name(), place,
-           fmt::format("there is no bench {}; give the name or the number of one", shown(name)));
-    }
-    if (bench || benches.empty()) {
-      if (const auto defect =
-              setup_defect(bench ? job_of_bench(job, benches[*bench]) : job, setup)) {
-        fail(input.name(), place, *defect);
-      }
-    }
-    if (!bench) {
-      job.first.push_back(setup);
-      continue;
-    }
-    std::optional<std::vector<Block>>& own = benches[*bench].first;
-    own = own.value_or(std::vector<Block>());
-    own->push_back(setup);
-  }
-  for (Bench& bench : benches) {
-    if (bench.first) {
-      bench.first->insert(bench.first->begin(), job.first.begin(), job.first.end());
-    }
   }
 }
 

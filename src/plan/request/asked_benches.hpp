@@ -1,4 +1,4 @@
-// Reads the benches of a request, without parts that broke, and finds the bench of each test.
+// Reads the benches of a request, without parts that broke.
 #pragma once
 
 #include <cstdint>
@@ -27,10 +27,6 @@ struct OldListOptions {
 
 /// @throws BadInput with the first of bench_defects(), with `file` as its place unless empty.
 void check_benches(const Job& job, const std::vector<Bench>& benches, const std::string& file);
-
-/// Reads the set-ups that come first: those without a bench come first on every bench, the others
-/// only on theirs, after them. @throws as read_first()
-void take_first(Input& input, const OldListOptions& options, Job& job, std::vector<Bench>& benches);
 
 /// Removes triples that no bench can hold, and returns their number. Does nothing without benches.
 [[nodiscard]] std::uint64_t drop_impossible_triples(Job& job, const std::vector<Bench>& benches);

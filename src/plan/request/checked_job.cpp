@@ -16,6 +16,7 @@
 #include "plan/request/asked_benches.hpp"
 #include "plan/request/asked_slots.hpp"
 #include "plan/request/done_tests.hpp"
+#include "plan/request/first_lists.hpp"
 #include "plan/request/parts_left.hpp"
 #include "plan/request/question.hpp"
 #include "plan/request/values_left.hpp"

@@ -169,12 +169,6 @@ std::vector<OptionRule> rules() {
        {"benches"},
        "{} is for one bench; with {benches}, {objective=cost} with {test_cost=1} and "
        "{change_cost=0} makes the fewest tests"},
-      {Says::never_with,
-       {"first"},
-       {"benches"},
-       "{} of a model does not say on which bench of {benches} a test comes first; leave it out, "
-       "or give tests that were run as {done}",
-       {"model"}},
       {Says::needs,
        {"model"},
        {"test_cost", "objective=tests"},

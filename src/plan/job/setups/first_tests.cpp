@@ -75,7 +75,8 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
 namespace {
 
 // Tests of a model may give only some of their values.
-void complete_values(const Job& job, const std::string& name, DoneList& list) {
+void complete_values(const Job& job, const std::string& name, const std::string& where,
+                     DoneList& list) {
   ChoiceSolver solver(job);
   Block before = job.start;
   for (DoneRow& row : list.rows) {
@@ -83,7 +84,7 @@ void complete_values(const Job& job, const std::string& name, DoneList& list) {
       auto completed = solver.completed(row.setup, before);
       if (!completed) {
         fail(name, {row.line, 1},
-             "no test of the model has all of these values; change one, or leave it open");
+             where + "no test of the model has all of these values; change one, or leave it open");
       }
       row.setup = *std::move(completed);
     }
@@ -105,13 +106,15 @@ DoneList read_first_list(Input& input, const PartNames& names, std::uint64_t at_
   return list;
 }
 
-std::vector<Block> checked_first(const std::string& name, DoneList list, const Job& job) {
+std::vector<Block> checked_first(const std::string& name, DoneList list, const Job& job,
+                                 const std::string& bench) {
+  const std::string where = bench.empty() ? "" : bench + ": ";
   if (job.model != nullptr) {
-    complete_values(job, name, list);
+    complete_values(job, name, where, list);
   }
   for (const DoneRow& row : list.rows) {
     if (const auto defect = setup_defect(job, row.setup)) {
-      fail(name, {row.line, 1}, *defect);
+      fail(name, {row.line, 1}, where + *defect);
     }
   }
   return list.setups();

@@ -27,9 +27,9 @@ namespace changeover {
                                        std::vector<std::string>* gone = nullptr);
 
 /// The set-ups of such a list, with the parts of the job; of a model, completed. `name` is that of
-/// the list. @throws as read_first()
+/// the list; messages begin with `bench`, if it is given. @throws as read_first()
 [[nodiscard]] std::vector<Block> checked_first(const std::string& name, DoneList list,
-                                               const Job& job);
+                                               const Job& job, const std::string& bench = "");
 
 /// Why no list may contain this set-up (of parts of the job, without repetition), without a place;
 /// nullopt if it may.
