@@ -251,14 +251,18 @@ class WorkerSplit {
 // Of some pairs only, either an order of one worker is cut into stretches, and a worker waits for
 // an item that another one has; or the items are in parts, consecutive ones of such an order, and a
 // worker has two parts at a time, which no other worker has, with an order for the pairs between
-// them. So it is for all pairs of at most 300 items, too, if the workers together have room for
-// more than all of them; of more items each uses room for P/W.
+// them. All pairs of at most 300 items are planned in that way, too, if W·C > P.
+//
+// *More room than items.* If W·C > P, full workers would take items from each other, and fewer may
+// be ready sooner. So orders are made for W, W/2, W/4, … workers, for P/C and for P/2, with room
+// for P/workers items each, at most C, and the best one is used: the others have nothing to do. For
+// all pairs, and without a search, the span is then at most that of W/2 workers; if C ≥ P, at most
+// P, as for one worker.
 
 /// Returns the best known order, verified by ScheduleCheck. With `options.search_pairs` it is
 /// improved until the time is over, otherwise for a fixed amount of work. @throws as
-/// plan_load_order(); BadInput if there are more than 300 items, fewer than 2·W, and all pairs are
-/// wanted, or W is 0 or exceeds 65,536; ImpossibleParameters above 65,535 items, unless pairs are
-/// listed.
+/// plan_load_order(); BadInput if W is 0 or exceeds 65,536; ImpossibleParameters above 65,535 items,
+/// unless pairs are listed.
 [[nodiscard]] LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room,
                                             std::uint64_t workers,
                                             const LoadOrderOptions& options = {});

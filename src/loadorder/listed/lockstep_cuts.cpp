@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "changeover/run/control.hpp"
+#include "core/checked.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/parts.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/listed/stretches_in_lockstep.hpp"
 #include "loadorder/listed/tasks.hpp"
+#include "loadorder/order/lockstep/crews.hpp"
+#include "loadorder/pairs/pair_bounds.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -23,6 +26,7 @@ namespace {
 struct Cut {
   std::size_t order = of_parts;     // whose stretches they are
   std::vector<std::size_t> begins;  // the first is 0
+  std::uint64_t busy = 0;           // workers
   LockstepLists lists;
 
   static constexpr std::size_t of_parts = ~std::size_t{0};
@@ -35,12 +39,13 @@ struct Cut {
 /// Looks for a cut with a small span.
 class CutSearch {
  public:
-  /// `orders` are those of one worker, the best one first.
+  /// `orders` are those of one worker, the best one first; `items` have to be loaded.
   CutSearch(const PairGraph& graph, const std::vector<std::vector<LoadMove>>& orders,
-            std::uint64_t room, std::uint64_t workers, std::uint64_t seed)
+            std::uint64_t items, std::uint64_t room, std::uint64_t workers, std::uint64_t seed)
       : graph_(graph),
+        items_(items),
         room_(room),
-        workers_(workers),
+        crews_(crews(items, room, workers)),
         random_(seed),
         parts_(graph, orders.front(), room) {
     for (const std::vector<LoadMove>& order : orders) {
@@ -48,22 +53,13 @@ class CutSearch {
     }
   }
 
-  /// Parts with about as many pairs each, W to 8 W of them, and stretches with as many jobs.
+  /// Parts with about as many pairs each, W to 8 W of them, and stretches with as many jobs; if the
+  /// workers together have room for more than all items, for fewer busy ones, too.
   void try_even_cuts() {
-    constexpr std::uint64_t most_work = 20'000'000;  // some seconds
-    std::uint64_t work = 0;
-    for (const std::uint64_t times : {2U, 3U, 4U, 1U, 6U, 8U}) {
-      if (!best_ || work <= most_work) {
-        keep(of_parts(parts_.even_cut(times * workers_), most_tasks));
-        work += graph_.pairs();
+    for (const Crew& crew : crews_) {
+      if (!best_ || least_span(crew.workers) <= best_->lists.span) {
+        try_even_cuts(crew.workers);
       }
-    }
-    for (std::uint64_t parts = 128; !best_; parts /= 2) {  // all have pairs with each other
-      keep(of_parts(parts_.even_cut(parts), not_again));
-    }
-    for (std::size_t order = 0; order < stretches_.size() && work <= most_work; ++order) {
-      keep(of_stretches(order, stretches_[order].even_cut(workers_)));
-      work += graph_.pairs();
     }
   }
 
@@ -95,16 +91,40 @@ class CutSearch {
  private:
   static constexpr std::size_t most_tasks = 10'000;  // which a worker looks through
 
+  void try_even_cuts(std::uint64_t busy) {
+    const std::uint64_t most_work = 20'000'000 / crews_.size();  // some seconds in all
+    std::uint64_t work = 0;
+    for (const std::uint64_t times : {2U, 3U, 4U, 1U, 6U, 8U}) {
+      if (!best_ || work <= most_work) {
+        keep(of_parts(parts_.even_cut(times * busy), busy, most_tasks));
+        work += graph_.pairs();
+      }
+    }
+    for (std::uint64_t parts = 128; !best_; parts /= 2) {  // all have pairs with each other
+      keep(of_parts(parts_.even_cut(parts), busy, not_again));
+    }
+    for (std::size_t order = 0; order < stretches_.size() && work <= most_work; ++order) {
+      keep(of_stretches(order, stretches_[order].even_cut(busy), busy));
+      work += graph_.pairs();
+    }
+  }
+
+  // A lower bound: items and pairs are those of all busy workers.
+  [[nodiscard]] std::uint64_t least_span(std::uint64_t busy) const {
+    return std::max(ceil_div(items_, busy), least_loads(ceil_div(graph_.pairs(), busy), room_));
+  }
+
   // The steps of the best choice of tasks; nullopt if there would be more than `most`.
-  std::optional<Cut> of_parts(std::vector<std::size_t> begins, std::size_t most) {
+  std::optional<Cut> of_parts(std::vector<std::size_t> begins, std::uint64_t workers,
+                              std::size_t most) {
     const auto tasks = parts_.tasks(begins, most);
     if (!tasks) {
       return std::nullopt;
     }
-    Cut cut{.begins = std::move(begins), .lists = {}};
+    Cut cut{.begins = std::move(begins), .busy = workers, .lists = {}};
     for (const NextTask choice : {NextTask::most_left, NextTask::same_part, NextTask::largest}) {
       stop_if_asked();
-      const std::uint64_t busy = std::min<std::uint64_t>(workers_, tasks->parts.size());
+      const std::uint64_t busy = std::min<std::uint64_t>(workers, tasks->parts.size());
       take_better(cut.lists,
                   lists_of(play_tasks(*tasks, graph_.items(), room_, busy, choice), &graph_));
     }
@@ -112,8 +132,9 @@ class CutSearch {
   }
 
   // The steps of stretches of an order; nullopt if they are far from the best.
-  std::optional<Cut> of_stretches(std::size_t order, std::vector<std::size_t> begins) {
-    Cut cut{.order = order, .begins = std::move(begins), .lists = {}};
+  std::optional<Cut> of_stretches(std::size_t order, std::vector<std::size_t> begins,
+                                  std::uint64_t workers) {
+    Cut cut{.order = order, .begins = std::move(begins), .busy = workers, .lists = {}};
     stretches_[order].play_each(cut.begins, 2 * best_->lists.span, [&](LockstepEvents events) {
       take_better(cut.lists, lists_of(std::move(events), &graph_));
     });
@@ -157,17 +178,17 @@ class CutSearch {
     begins.erase(std::unique(begins.begin(), begins.end()), begins.end());
     std::erase(begins, all);
     return begins == from.begins ? std::nullopt
-           : is_of_parts         ? of_parts(std::move(begins), most_tasks)
-                                 : of_stretches(from.order, std::move(begins));
+           : is_of_parts         ? of_parts(std::move(begins), from.busy, most_tasks)
+                                 : of_stretches(from.order, std::move(begins), from.busy);
   }
 
   // An even cut, or the best one.
   Cut another_start() {
     const std::uint64_t kind = below(4);
     const std::size_t order = below(stretches_.size());
-    auto start = kind == 0
-                     ? of_parts(parts_.even_cut(workers_ + 1 + below(8 * workers_)), most_tasks)
-                 : kind == 1 ? of_stretches(order, stretches_[order].even_cut(workers_))
+    const std::uint64_t busy = best_->busy;
+    auto start = kind == 0 ? of_parts(parts_.even_cut(busy + 1 + below(8 * busy)), busy, most_tasks)
+                 : kind == 1 ? of_stretches(order, stretches_[order].even_cut(busy), busy)
                              : std::nullopt;
     keep(start);
     return start ? std::move(*start) : *best_;
@@ -185,8 +206,9 @@ class CutSearch {
   }
 
   const PairGraph& graph_;
+  std::uint64_t items_;
   std::uint64_t room_;
-  std::uint64_t workers_;
+  std::vector<Crew> crews_;
   Random random_;
   TaskMaker parts_;
   std::vector<StretchesInLockstep> stretches_;  // by order
@@ -197,7 +219,8 @@ class CutSearch {
 
 LockstepLists lockstep_of_list(LoadOrderFacts& facts, const PairGraph& graph,
                                const LoadOrderOptions& options) {
-  CutSearch search(graph, several_orders(graph, facts.room), facts.room, facts.lockstep,
+  CutSearch search(graph, several_orders(graph, facts.room),
+                   needed_items(facts.wanted.among(facts.items)), facts.room, facts.lockstep,
                    options.seed);
   search.try_even_cuts();
   if (options.search_pairs) {
@@ -217,6 +240,7 @@ LockstepLists lockstep_of_list(LoadOrderFacts& facts, const PairGraph& graph,
         "and needs soon.",
         count_of(best.begins.size(), "stretch", "stretches"));
   }
+  facts.explanation = say_idle(best.busy, facts.lockstep) + facts.explanation;
   return std::move(best.lists);
 }
 

@@ -203,13 +203,15 @@ class InLockstep final : public StepSource {
 
 }  // namespace
 
-WorkerMaker steps_in(const LockstepLists& lists) {
-  return [lists](std::uint64_t worker) -> std::unique_ptr<StepSource> {
-    if (worker < lists.workers) {
-      return lists.lists->of(worker);
-    }
-    return std::make_unique<EmptySteps>(lists.steps);
+WorkerMaker with_idle(WorkerMaker maker, std::uint64_t busy, std::uint64_t steps) {
+  return [maker = std::move(maker), busy, steps](std::uint64_t worker) {
+    return worker < busy ? maker(worker) : std::make_unique<EmptySteps>(steps);
   };
+}
+
+WorkerMaker steps_in(const LockstepLists& lists) {
+  return with_idle([lists](std::uint64_t worker) { return lists.lists->of(worker); }, lists.workers,
+                   lists.steps);
 }
 
 std::unique_ptr<StepSource> in_lockstep(const WorkerMaker& maker, std::uint64_t workers) {

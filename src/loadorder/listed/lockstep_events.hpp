@@ -45,6 +45,9 @@ struct LockstepLists {
 using WorkerMaker = std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>;
 [[nodiscard]] WorkerMaker steps_in(const LockstepLists& lists);
 
+/// The steps of `busy` workers; others have as many, and nothing to do in them.
+[[nodiscard]] WorkerMaker with_idle(WorkerMaker maker, std::uint64_t busy, std::uint64_t steps);
+
 /// The steps of all workers, alternating.
 [[nodiscard]] std::unique_ptr<StepSource> in_lockstep(const WorkerMaker& maker,
                                                       std::uint64_t workers);

@@ -12,7 +12,6 @@
 #include "io/request/request_schema.hpp"
 #include "io/request/request_words.hpp"
 #include "io/request/search_options.hpp"
-#include "loadorder/order/lockstep/check_disjoint.hpp"
 #include "loadorder/pairs/pair_costs.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
@@ -263,14 +262,6 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
     words.refuse("done_items", fmt::format("{} {}: of {} {} none would be new; give fewer",
                                            words.key("done_items"), *request.done_items,
                                            words.key("items"), items));
-  }
-  if (request.disjoint && all && !request.against && !request.done_items &&
-      items > most_items_of_crowded && *request.workers > items / 2) {
-    words.refuse("disjoint",
-                 fmt::format("{}: {} workers with two items each would hold more than all {}; "
-                             "give {} {} or less",
-                             words.key("disjoint"), *request.workers, items, words.key("workers"),
-                             items / 2));
   }
   if ((request.disjoint || request.fast_room) && all && items > max_elements_in_memory) {
     words.refuse(request.disjoint ? "disjoint" : "fast_room",

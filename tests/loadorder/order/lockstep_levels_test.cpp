@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "../pairs/pairs_support.hpp"
@@ -140,8 +141,16 @@ TEST(LockstepLevels, GoWithStoresAndEpochsAndWhatIsWrongIsFound) {
   }
 }
 
+TEST(LockstepLevels, MoreWorkersThanItemsFillAreIdle) {
+  const LoadOrder order = plan_disjoint_levels(20, 6, 4, 11);
+  Rounds rounds(11);
+  rounds.play(work_of(order.stream(), order.rules(ComputeRules{})), 6, 4);
+  EXPECT_EQ(rounds.fault, "");
+  EXPECT_EQ(rounds.computed, pairs_in(20));
+  EXPECT_GT(std::ranges::count(order.facts().worker_loads, 0U), 0);
+}
+
 TEST(LockstepLevels, TooManyItemsOrPairsAreRefused) {
-  EXPECT_THROW(static_cast<void>(plan_disjoint_levels(400, 6, 4, 201)), BadInput);
   EXPECT_THROW(static_cast<void>(plan_disjoint_levels(20, 4, 5, 2)), BadInput);
   EXPECT_THROW(static_cast<void>(plan_disjoint_levels(70'000, 4, 3, 2)), ImpossibleParameters);
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -13,7 +15,9 @@
 #include "core/words.hpp"
 #include "loadorder/listed/lockstep_cuts.hpp"
 #include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/lockstep/check_disjoint.hpp"
+#include "loadorder/order/lockstep/crews.hpp"
 #include "loadorder/order/lockstep/eras.hpp"
 #include "loadorder/order/lockstep/grown.hpp"
 #include "loadorder/order/read_order.hpp"
@@ -22,6 +26,10 @@ namespace changeover {
 namespace {
 
 constexpr std::uint64_t most_items_to_grow = 1000;  // for growing orders item by item
+
+/// The most items of which all pairs are listed for workers that together have room for more than
+/// all of them.
+constexpr std::uint64_t most_items_of_crowded = 300;
 
 /// An order of G groups of items, with room for some of the groups. The changes of a step are by
 /// worker, so that each worker finds its own.
@@ -184,55 +192,20 @@ std::optional<GroupedOrder> grown_order(const LoadOrderFacts& facts,
   return best;
 }
 
-// An order for all pairs is good if most pairs are listed.
-void consider_all_pairs(LoadOrderFacts& facts, const PairGraph& graph, LockstepLists& best,
-                        LoadOrderOptions options) {
-  const std::uint64_t items = facts.items;
-  const std::uint64_t room = std::min(facts.room, items / facts.lockstep);
-  if (2 * graph.pairs() < binomial(items, 2) || items > max_elements_in_memory || room < 2 ||
-      makespan_lower_bound(items, facts.room, facts.lockstep).loads >= best.span) {
-    return;
-  }
-  options.search_pairs = nullptr;
-  const LoadOrder all = plan_disjoint_order(items, room, facts.lockstep, options);
-  LockstepLists lists = lists_of(events_of(*all.stream(), facts.lockstep), &graph);
-  if (std::pair(lists.span, lists.loads) < std::pair(best.span, best.loads)) {
-    best = std::move(lists);
-    facts.method = all.facts().method;
-    facts.explanation = "An order for all pairs. " + all.facts().explanation;
-  }
+// The order of one worker.
+WorkerMaker steps_of_one(LoadOrderFacts& facts, const LoadOrderOptions& options) {
+  const auto order = std::make_shared<const LoadOrder>(
+      plan_load_order(facts.wanted.among(facts.items), facts.room, options));
+  facts.method = order->facts().method;
+  facts.explanation = order->facts().explanation;
+  return [order](std::uint64_t) { return order->stream(); };
 }
 
-// Orders for disjoint workers of some pairs only.
-WorkerMaker listed_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
-  const WantedPairs list = as_list(facts.wanted.among(facts.items));
-  LockstepLists found = lockstep_of_list(facts, *list.graph(), options);
-  consider_all_pairs(facts, *list.graph(), found, options);
-  return steps_in(found);
-}
-
-// Describes the order in `facts`.
-WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
+// Orders of all pairs for workers that together have room for no more than all items. Describes the
+// order in `facts`.
+WorkerMaker steps_of_all(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   if (facts.lockstep == 1) {
-    const auto order = std::make_shared<const LoadOrder>(
-        plan_load_order(facts.wanted.among(facts.items), facts.room, options));
-    facts.method = order->facts().method;
-    facts.explanation = order->facts().explanation;
-    return [order](std::uint64_t) { return order->stream(); };
-  }
-  const bool crowded = are_crowded(facts.wanted.among(facts.items), facts.room, facts.lockstep);
-  if (!facts.wanted.are_all() || (crowded && facts.items <= most_items_of_crowded)) {
-    return listed_steps(facts, options);
-  }
-  if (crowded) {
-    const std::uint64_t room = facts.items / facts.lockstep;
-    const auto order = std::make_shared<const LoadOrder>(
-        plan_disjoint_order(facts.items, room, facts.lockstep, options));
-    facts.method = order->facts().method;
-    facts.explanation = fmt::format(
-        "Each worker uses room for {}, since all of them have room for more than {} items. {}",
-        room, facts.items, order->facts().explanation);
-    return [order](std::uint64_t worker) { return order->stream(worker); };
+    return steps_of_one(facts, options);
   }
   const EraShape shape = best_eras(facts.items, facts.room, facts.lockstep);
   const EraCost eras = cost_of_eras(shape);
@@ -265,20 +238,139 @@ WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   return [order](std::uint64_t worker) { return std::make_unique<GroupedSteps>(order, worker); };
 }
 
+using Cost = std::pair<std::uint64_t, std::uint64_t>;  // span, loads
+
+/// Orders of all pairs, of which some workers may have no part.
+class CrewOrders {
+ public:
+  explicit CrewOrders(const LoadOrderFacts& facts) {
+    for (const Crew& crew : crews(facts.items, facts.room, facts.lockstep)) {
+      LoadOrderFacts its = facts_before(facts.items, crew.room);
+      its.lockstep = crew.workers;
+      its.makespan_bound = makespan_lower_bound(facts.items, crew.room, crew.workers);
+      all_.push_back(std::move(its));
+    }
+    // What may be best comes first: then the others are left out unseen.
+    std::ranges::stable_sort(all_, {}, least);
+  }
+
+  [[nodiscard]] bool are_several() const { return all_.size() > 1; }
+
+  /// Calls visit() for the orders of crews that may be better than the best one, which it returns.
+  void each(Cost best, const LoadOrderOptions& options,
+            const std::function<Cost(const LoadOrderFacts&, const WorkerMaker&)>& visit) const {
+    for (LoadOrderFacts facts : all_) {
+      if (least(facts) < best) {
+        const WorkerMaker steps = steps_of_all(facts, options);
+        best = std::min(best, visit(facts, steps));
+      }
+    }
+  }
+
+ private:
+  static Cost least(const LoadOrderFacts& facts) {
+    return {facts.makespan_bound.loads, facts.bound.loads};
+  }
+
+  std::vector<LoadOrderFacts> all_;
+};
+
+// An order for all pairs is good if most pairs are listed.
+void consider_all_pairs(LoadOrderFacts& facts, const PairGraph& graph, LockstepLists& best,
+                        const LoadOrderOptions& options) {
+  if (2 * graph.pairs() < binomial(facts.items, 2) || facts.items > max_elements_in_memory) {
+    return;
+  }
+  const auto consider = [&](const LoadOrderFacts& all, const WorkerMaker& steps) {
+    const std::uint64_t busy = all.lockstep;
+    LockstepLists lists = lists_of(events_of(*in_lockstep(steps, busy), busy), &graph);
+    if (Cost(lists.span, lists.loads) < Cost(best.span, best.loads)) {
+      best = std::move(lists);
+      facts.method = all.method;
+      facts.explanation =
+          "An order for all pairs. " + say_idle(busy, facts.lockstep) + all.explanation;
+    }
+    return Cost(best.span, best.loads);
+  };
+  const CrewOrders orders(facts);
+  orders.each({best.span, orders.are_several() ? best.loads : 0}, fixed_work(options), consider);
+}
+
+// Orders for disjoint workers of some pairs only.
+WorkerMaker listed_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
+  const WantedPairs list = as_list(facts.wanted.among(facts.items));
+  LockstepLists found = lockstep_of_list(facts, *list.graph(), options);
+  consider_all_pairs(facts, *list.graph(), found, options);
+  return steps_in(found);
+}
+
+/// What the steps of workers come to.
+struct Played {
+  Cost cost;
+  std::uint64_t steps = 0;  // of each worker
+};
+
+Played played(const WorkerMaker& maker, std::uint64_t workers) {
+  Played all;
+  std::size_t slowest = 0;
+  const auto steps = in_lockstep(maker, workers);
+  for (Step step; steps->next(step);) {
+    slowest = std::max(slowest, step.load.size());
+    all.cost.second += step.load.size();
+    if (step.worker + 1 == workers) {
+      stop_if_asked();
+      all.cost.first += std::exchange(slowest, 0);
+      ++all.steps;
+    }
+  }
+  return all;
+}
+
+// Orders of all pairs of many items, for workers that together have room for more than all of them.
+WorkerMaker crowded_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+  LoadOrderFacts best;
+  Cost cost(most, most);
+  WorkerMaker steps;
+  const auto consider = [&](const LoadOrderFacts& crew, const WorkerMaker& its) {
+    if (const Cost its_cost = played(its, crew.lockstep).cost; its_cost < cost) {
+      best = crew;
+      cost = its_cost;
+      steps = its;
+    }
+    return cost;
+  };
+  CrewOrders(facts).each(cost, fixed_work(options), consider);
+  if (options.search_pairs || options.improve) {  // goes on from the best
+    steps = steps_of_all(best, options);
+  }
+  facts.method = best.method;
+  facts.explanation = fmt::format(
+      "{}A worker uses room for {}, since all of them have room for more than {} items. {}",
+      say_idle(best.lockstep, facts.lockstep), best.room, facts.items, best.explanation);
+  const std::uint64_t count = played(steps, best.lockstep).steps;
+  return with_idle(std::move(steps), best.lockstep, count);
+}
+
+// Describes the order in `facts`.
+WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
+  if (facts.lockstep == 1) {
+    return steps_of_one(facts, options);
+  }
+  const bool crowded = facts.items / facts.lockstep < facts.room;
+  if (!facts.wanted.are_all() || (crowded && facts.items <= most_items_of_crowded)) {
+    return listed_steps(facts, options);
+  }
+  return crowded ? crowded_steps(facts, options) : steps_of_all(facts, options);
+}
+
 }  // namespace
 
-void check_disjoint(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers) {
-  const std::uint64_t items = wanted.items();
-  if (are_crowded(wanted, room, workers) && items > most_items_of_crowded && items / workers < 2) {
-    throw BadInput(
-        fmt::format("{} workers with two items each would hold more than all {}; give "
-                    "at most {} workers",
-                    workers, items, items / 2));
-  }
-  if (wanted.graph() == nullptr && items > max_elements_in_memory) {
+void check_disjoint(const WantedPairs& wanted) {
+  if (wanted.graph() == nullptr && wanted.items() > max_elements_in_memory) {
     throw ImpossibleParameters(
         fmt::format("{} items: disjoint workers have at most {}; group items into larger ones",
-                    items, max_elements_in_memory));
+                    wanted.items(), max_elements_in_memory));
   }
 }
 
@@ -287,7 +379,7 @@ LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room, std
   LoadOrderFacts facts = facts_before(wanted, room);
   facts.lockstep = workers;
   facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
-  check_disjoint(wanted, room, workers);
+  check_disjoint(wanted);
   const WorkerMaker worker = best_steps(facts, options);
   LoadOrder::Maker maker = [worker, workers] { return in_lockstep(worker, workers); };
   const std::string memory = fmt::format("for {} workers with room for {}", workers, room);

@@ -164,7 +164,7 @@ LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
                                std::uint64_t fast_room, std::uint64_t workers,
                                const LoadOrderOptions& options) {
   check_workers(workers);
-  check_disjoint(wanted, room, workers);
+  check_disjoint(wanted);
   LoadOrderFacts facts = facts_before(wanted, room, fast_room);
   facts.lockstep = workers;
   facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
