@@ -95,7 +95,8 @@ class CheckedLoads {
   [[nodiscard]] const std::shared_ptr<const ItemSizes>& sizes() const { return sizes_; }
   /// The cost of a pair; empty if all pairs cost the same.
   [[nodiscard]] const std::function<double(Element, Element)>& pair_cost() const { return cost_; }
-  /// What was guessed of the lists: that a first row was read as names of columns, with its place.
+  /// What was guessed of the lists: that a first row was read as names of columns, or as a pair
+  /// though numbers follow, with its place.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:

@@ -61,12 +61,25 @@ void take_fields(Row& row, const RowReader& rows) {
   }
 }
 
-void note_heading(const RowReader& rows, const Row& heading, std::vector<std::string>* notes) {
+namespace {
+
+void note_first_row(const RowReader& rows, const Row& row, std::string_view read_as,
+                    std::vector<std::string>* notes) {
   if (notes != nullptr) {
-    notes->push_back(fmt::format("{}: the first row was read as names of columns: {}",
-                                 rows.place(heading[0]),
-                                 joined(heading, [](const Field& field) { return field.text; })));
+    notes->push_back(fmt::format("{}: the first row was read as {}: {}", rows.place(row[0]),
+                                 read_as,
+                                 joined(row, [](const Field& field) { return field.text; })));
   }
+}
+
+}  // namespace
+
+void note_heading(const RowReader& rows, const Row& heading, std::vector<std::string>* notes) {
+  note_first_row(rows, heading, "names of columns", notes);
+}
+
+void note_first_pair(const RowReader& rows, const Row& row, std::vector<std::string>* notes) {
+  note_first_row(rows, row, "a pair of items", notes);
 }
 
 std::unordered_map<std::string, Element> items_by_name(const PairGraph* graph) {

@@ -278,6 +278,9 @@ class PairReader {
       heading_ = row;
       return;
     }
+    if (numbers_follow) {
+      note_first_pair(rows_, row, options_.notes);
+    }
     become_named();
     add_named(row);
   }

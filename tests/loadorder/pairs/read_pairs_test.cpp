@@ -67,6 +67,13 @@ TEST(ReadPairs, AFirstRowIsOnlyTitlesWhereNoPairIsLost) {
   EXPECT_EQ(notes, std::vector<std::string>{
                        "f:1:1: the first row was read as names of columns: from, to"});
   EXPECT_EQ(pairs("NA nan\n0 1\n1 2\n"), 3U);
+  EXPECT_EQ(notes,
+            std::vector<std::string>{"f:1:1: the first row was read as a pair of items: NA, nan"});
+  EXPECT_EQ(pairs("source,na\n1,2\n2,3\n"), 3U);
+  EXPECT_EQ(notes, std::vector<std::string>{
+                       "f:1:1: the first row was read as a pair of items: source, na"});
+  EXPECT_EQ(pairs("source,na\na,b\n"), 2U);  // words below words are nothing special
+  EXPECT_TRUE(notes.empty());
   EXPECT_EQ(why_not("from to\n0 1\n1 c\n"),
             "f:1:1: words above numbers name columns, but names of items come further down; begin "
             "the line with # if it names columns, or write it further down if it is a pair");
