@@ -400,6 +400,7 @@ export interface Benches {
       day?: number;
       hour?: number;
       date?: string;
+      finish?: {day: number; hour: number; date?: string};
       again?: string[];
     }[];
   }[];

@@ -49,7 +49,7 @@ def _bench_step(step: Dict[str, Any]) -> Dict[str, Any]:
     """With the times of the step, of which some are in hours of a day."""
     return {**_step(step),
             **{key: _decimal(step[key]) for key in ("begin", "end", "hour") if key in step},
-            **{key: step[key] for key in ("day", "date", "again") if key in step}}
+            **{key: step[key] for key in ("day", "date", "finish", "again") if key in step}}
 
 
 class Answer(Dict[str, Any]):
@@ -337,7 +337,8 @@ class BenchSheets(_Sheets):
     makespan_bound: Decimal = fact("Nothing is done earlier.")
     makespan_reason: str = fact("Of that bound.")
     finish: Optional[Dict[str, Any]] = fact(
-        "With hours a day: day, hour and, if the first day is known, date of the end; else None.")
+        "With hours a day: day, hour (in the unit of costs) and, if the first day is known, date "
+        "of the end; else None.")
 
     def _rows(self) -> List[Dict[str, Any]]:
         return [{"bench": bench, **step} for bench, sheet in zip(self.benches, self.sheets)

@@ -86,6 +86,12 @@ class Benches(unittest.TestCase):
         both = lab()
         self.assertEqual(both.benches, ["North", "South"])
         self.assertEqual(both.finish["date"], max(sheet[-1]["date"] for sheet in both.sheets))
+        self.assertIn(both.finish, [sheet[-1]["finish"] for sheet in both.sheets])
+        # A test of ten hours on a day of eight ends on the next one.
+        long = changeover.plan(3, 2, test_cost=600, change_cost=0, cost_unit="minutes",
+                               benches=[{"hours": 8}])
+        self.assertEqual(long.sheets[0][0]["finish"], {"day": 2, "hour": 120})
+        self.assertEqual([step["day"] for step in long.sheets[0]], [1, 3, 5])
         self.assertTrue(both.complete)
         self.assertNotIn("A40", {part for step in both.sheets[1] for part in step["setup"]})
         held = [

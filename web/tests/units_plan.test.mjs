@@ -175,7 +175,7 @@ test('how long a bench waits, by the longest day of the benches that work', asyn
   assert.equal(of([bench('A', null), bench('C', 8, true)], gap), 8);
 });
 
-test('after a replan the clock begins anew: tests that are done are in no lane', async () => {
+test('after a replan the clock starts again: tests that are done are in no lane', async () => {
   const { outcomeOf } = await load('pages/plan/outcome.ts');
   const { idleOf } = await load('pages/plan/strip.ts');
   const { packed, unpacked } = await load('pages/plan/store.ts');
@@ -200,8 +200,8 @@ test('after a replan the clock begins anew: tests that are done are in no lane',
   const done = { bench: 'A', parts, places: parts, cost, ...times, ...written };
   const outcome = outcomeOf({ benches: plan }, job, [done], places);
   assert.deepEqual(
-    outcome.tests.map(({ span }) => span),
-    [undefined, [0, 4], [6, 10]],
+    outcome.tests.map(({ span, when, ends }) => [span, when, ends]),
+    [undefined, [0, 4], [6, 10]].map((span) => [span, undefined, undefined]),
   );
   assert.equal(idleOf(outcome, 'A'), 2);
   // A link keeps it so.
@@ -216,4 +216,42 @@ test('after a replan the clock begins anew: tests that are done are in no lane',
     unpacked(packed({ ...state, outcome: { ...outcome, soonest: value } }));
   assert.equal(soonest('day 1, 9:00').outcome.soonest, 'day 1, 9:00');
   assert.equal(soonest({}), null);
+});
+
+test('times of a day are hours and minutes, whatever the unit of costs, and long tests end later', async () => {
+  const { outcomeOf } = await load('pages/plan/outcome.ts');
+  const { emptyBench, emptyJob } = await load('pages/plan/job.ts');
+  const job = { ...emptyJob(), benches: [{ ...emptyBench(), name: 'A' }] };
+  // Eight hours a day; the first test takes ten.
+  const of = (cost_unit, hour) => {
+    const timed = { begin: 0, end: 10 * hour, day: 1, hour: 0, finish: { day: 2, hour: 2 * hour } };
+    const finish = { day: 2, hour: 2.5 * hour, date: '2025-04-01' };
+    const plan = {
+      ...size,
+      ...rest,
+      cost_unit,
+      objective: 'makespan',
+      makespan: 10 * hour,
+      finish,
+      lower_bound: { cost: 0, makespan: 0, makespan_reason: '', cost_reason: '', finish },
+      sheets: [
+        {
+          name: 'A',
+          down: false,
+          end: 10 * hour,
+          start: [],
+          hours: 8,
+          steps: [{ ...steps[0], ...timed }],
+        },
+      ],
+    };
+    const outcome = outcomeOf({ benches: plan }, job, [], places);
+    const [{ when, ends }] = outcome.tests;
+    return [when, ends, outcome.finish, outcome.soonest];
+  };
+  const said = ['day 1, 0:00', 'day 2, 2:00', '2025-04-01, 2:30', '2025-04-01, 2:30'];
+  assert.deepEqual(of(null, 1), said);
+  assert.deepEqual(of('hours', 1), said);
+  assert.deepEqual(of('minutes', 60), said);
+  assert.deepEqual(of('seconds', 3600), said);
 });

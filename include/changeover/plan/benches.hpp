@@ -200,7 +200,9 @@ struct BenchPlan : BenchCount {
 /// {cost, makespan, cost_reason, makespan_reason}, cost_unit, places, sheets [{bench, tests,
 /// changes, cost, steps [{step, take_out, put_in, set_up, places, new_pairs (their number), cost,
 /// cost_so_far, begin, end}]}], candidates [{name, how, tests, changes, cost, makespan}], notes; in
-/// each step replaced [[out, in]] if costs depend on what is replaced.
+/// each step replaced [[out, in]] if costs depend on what is replaced. With hours a day a step also
+/// has day, hour and date of its begin, and finish {day, hour, date}; an hour is in the unit of
+/// costs, counted from the beginning of the day.
 struct BenchDocument {
   const Job* job = nullptr;
   const BenchPlan* plan = nullptr;

@@ -10,6 +10,16 @@
 namespace changeover {
 namespace {
 
+// The day on which something ends, and the hour of that day.
+void write_finish(JsonWriter& json, Amount end, const BenchCalendar& calendar, const Money& money) {
+  json.begin_object().key("day").value(calendar.last_day(end));
+  json.key("hour").raw(money(calendar.last_hour(end)));
+  if (const std::string date = calendar.iso_date(calendar.last_day(end)); !date.empty()) {
+    json.key("date").value(date);
+  }
+  json.end_object();
+}
+
 // Begin and end of a step; with days also as days and hours.
 void write_times(JsonWriter& json, const StepTime& time, const BenchCalendar& calendar,
                  const Money& money) {
@@ -20,6 +30,8 @@ void write_times(JsonWriter& json, const StepTime& time, const BenchCalendar& ca
     if (const std::string date = calendar.iso_date(calendar.day(time.begin)); !date.empty()) {
       json.key("date").value(date);
     }
+    json.key("finish");
+    write_finish(json, time.end, calendar, money);
   }
 }
 
@@ -50,15 +62,6 @@ void write_bench(JsonWriter& json, const BenchDocument& document, std::size_t be
           json.key("again").value(names_of(job, again));
         }
       });
-  json.end_object();
-}
-
-void write_finish(JsonWriter& json, Amount end, const BenchCalendar& calendar, const Money& money) {
-  json.begin_object().key("day").value(calendar.last_day(end));
-  json.key("hour").raw(money(calendar.last_hour(end)));
-  if (const std::string date = calendar.iso_date(calendar.last_day(end)); !date.empty()) {
-    json.key("date").value(date);
-  }
   json.end_object();
 }
 

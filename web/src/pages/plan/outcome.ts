@@ -187,17 +187,21 @@ export function repeats(outcome: Outcome, i: number): string {
 
 const untested = { result: '', notes: '', by: '', at: '' };
 
-function clock(
-  day: number | undefined,
-  hour: number | undefined,
-  date: string | undefined,
-): string | undefined {
+/** A time on one of the days. Its hour is in the unit of costs. */
+interface DayTime {
+  day?: number;
+  hour?: number;
+  date?: string;
+}
+
+function clock(time: DayTime | null | undefined, unit: Outcome['unit']): string | null {
+  const { day, hour, date } = time ?? {};
   if (day === undefined || hour === undefined) {
-    return undefined;
+    return null;
   }
-  const minutes = Math.round(hour * 60);
-  const time = `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, '0')}`;
-  return `${date ?? `day ${day}`}, ${time}`;
+  const minutes = Math.round(hour * hoursOf[unit ?? 'hours'] * 60);
+  const [hours, rest] = [Math.floor(minutes / 60), String(minutes % 60).padStart(2, '0')];
+  return `${date ?? `day ${day}`}, ${hours}:${rest}`;
 }
 
 /**
@@ -297,18 +301,11 @@ function ofBenches(
   const tests = plan.sheets.flatMap((sheet) => [
     ...done
       .filter(({ bench }) => bench === sheet.name)
-      // The clock begins anew: when they were to run no longer counts.
-      .map(({ span, ...test }) => placed(test, places, plan.places)),
+      // The clock starts again: when they were to run no longer counts.
+      .map(({ span, when, ends, ...test }) => placed(test, places, plan.places)),
     ...sheet.steps.map((each): Test => {
-      const when = clock(each.day, each.hour, each.date);
-      // Costs of benches with hours are in hours if nothing else is said. A test ends on its day.
-      const ends = clock(
-        each.day,
-        each.hour === undefined
-          ? undefined
-          : each.hour + each.cost * hoursOf[plan.cost_unit ?? 'hours'],
-        each.date,
-      );
+      const when = clock(each, plan.cost_unit);
+      const ends = clock(each.finish, plan.cost_unit);
       return {
         bench: sheet.name,
         parts: each.set_up,
@@ -350,16 +347,8 @@ function ofBenches(
     },
     budget: plan.budget,
     unit: plan.cost_unit,
-    finish: plan.finish
-      ? (clock(plan.finish.day, plan.finish.hour, plan.finish.date) ?? null)
-      : null,
-    soonest: plan.lower_bound.finish
-      ? (clock(
-          plan.lower_bound.finish.day,
-          plan.lower_bound.finish.hour,
-          plan.lower_bound.finish.date,
-        ) ?? null)
-      : null,
+    finish: clock(plan.finish, plan.cost_unit),
+    soonest: clock(plan.lower_bound.finish, plan.cost_unit),
     alternatives: [
       { name: 'this plan', tests: plan.tests, changes: plan.changes, cost },
       ...plan.candidates.slice(1).map((each) => ({
