@@ -13,6 +13,8 @@
 #include "core/words.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/search/benches/bench_bounds.hpp"
+#include "plan/search/benches/bench_budget.hpp"
+#include "plan/search/benches/bench_candidate.hpp"
 #include "plan/search/benches/bench_field.hpp"
 #include "plan/search/benches/cut_list.hpp"
 #include "plan/search/benches/some_benches.hpp"
@@ -21,12 +23,9 @@
 #include "plan/search/first_plan.hpp"
 #include "plan/search/lists/lists_search.hpp"
 #include "plan/search/valid_job.hpp"
-#include "plan/search/weighted.hpp"
 
 namespace changeover {
 namespace {
-
-constexpr const char* between_benches = "local search between benches";
 
 class BenchPlanner {
  public:
@@ -54,14 +53,14 @@ class BenchPlanner {
     if (options_->plan.budget) {
       plan_.complete = plan_.candidates.front();
       if (plan_.complete->cost > *options_->plan.budget) {
-        find_affordable(*options_->plan.budget);
+        keep_within_budget(field_, *options_, *options_->plan.budget, *control_, plan_);
       }
     }
     const BenchLists& lists = plan_.candidates.front().lists;
-    static_cast<BenchCount&>(plan_) = lists == counted_lists_
-                                          ? std::move(count_)
-                                          : count_benches(field_.asked(), field_.benches(),
-                                                          field_.schedule(without_first(lists)));
+    static_cast<BenchCount&>(plan_) =
+        lists == counted_lists_ ? std::move(count_)
+                                : count_benches(field_.asked(), field_.benches(),
+                                                field_.schedule(without_first(field_, lists)));
     plan_.why_stopped = why_it_ended(*control_, !options_->plan.budget && is_best_possible());
     return std::move(plan_);
   }
@@ -84,11 +83,6 @@ class BenchPlanner {
                : std::tuple(a.makespan, a.cost, a.tests) < std::tuple(b.makespan, b.cost, b.tests);
   }
 
-  [[nodiscard]] static bool tests_more(const BenchCandidate& a, const BenchCandidate& b) {
-    return std::tuple(b.weight, b.triples_tested, b.pairs_tested, a.cost, a.makespan) <
-           std::tuple(a.weight, a.triples_tested, a.pairs_tested, b.cost, b.makespan);
-  }
-
   [[nodiscard]] const BenchCandidate& best() const {
     return *std::min_element(
         plan_.candidates.begin(), plan_.candidates.end(),
@@ -100,52 +94,9 @@ class BenchPlanner {
                      : best().makespan == plan_.makespan_bound;
   }
 
-  // The lists of the working benches, without the first set-ups.
-  [[nodiscard]] BenchLists without_first(const BenchLists& all) const {
-    BenchLists lists;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!field_.benches()[i].down) {
-        const std::size_t first = field_.whole(lists.size()).first.size();
-        lists.emplace_back(all[i].begin() + static_cast<std::ptrdiff_t>(first), all[i].end());
-      }
-    }
-    return lists;
-  }
-
-  [[nodiscard]] BenchCandidate counted(const std::string& name, const std::string& how,
-                                       const BenchLists& lists, BenchCount* kept = nullptr) const {
-    RunControl undisturbed({});
-    const RunScope scope(undisturbed);
-    const BenchSchedule schedule = field_.schedule(lists);
-    BenchCount count = count_benches(field_.asked(), field_.benches(), schedule);
-    if (!count.faults.empty()) {
-      throw InternalError(name + ": " + count.faults.front());
-    }
-    BenchCandidate candidate{.name = name,
-                             .how = how,
-                             .lists = {},
-                             .tests = count.tests,
-                             .changes = count.changes,
-                             .cost = count.cost,
-                             .makespan = count.makespan,
-                             .pairs_tested = count.pairs_tested,
-                             .triples_tested = count.triples_tested,
-                             .weight = count.weight_tested};
-    for (const std::vector<BenchStep>& steps : schedule) {
-      candidate.lists.emplace_back();
-      for (const BenchStep& step : steps) {
-        candidate.lists.back().push_back(step.setup);
-      }
-    }
-    if (kept != nullptr) {
-      *kept = std::move(count);
-    }
-    return candidate;
-  }
-
   void add(const std::string& name, const std::string& how, const BenchLists& lists) {
     BenchCount count;
-    BenchCandidate candidate = counted(name, how, lists, &count);
+    BenchCandidate candidate = counted(field_, name, how, lists, &count);
     const Job& asked = field_.asked();
     if (candidate.pairs_tested != asked.needed.size() ||
         candidate.triples_tested != asked.triples.size()) {
@@ -336,7 +287,7 @@ class BenchPlanner {
     if (before_rounds > 0) {
       search_without_clock(job, starts, search);
     }
-    starts.insert(starts.begin(), without_first(best().lists));
+    starts.insert(starts.begin(), without_first(field_, best().lists));
     search.round = before_rounds;
     Rounds rounds(options_->plan);
     while (!is_best_possible() && !control_->stop_wanted()) {
@@ -353,7 +304,7 @@ class BenchPlanner {
         break;
       }
       search.round = before_rounds + rounds.now();
-      starts.front() = without_first(best().lists);
+      starts.front() = without_first(field_, best().lists);
     }
   }
 
@@ -419,136 +370,6 @@ class BenchPlanner {
       lists[bench] = anew.candidates.front().setups;
     }
     return lists;
-  }
-
-  // The longest beginning, in time, that is within the budget.
-  [[nodiscard]] BenchLists affordable(const BenchCandidate& whole, Amount budget) const {
-    const BenchLists lists = without_first(whole.lists);
-    const BenchSchedule schedule = field_.schedule(lists);
-    struct Begin {
-      Amount at;
-      std::size_t bench = 0;
-    };
-    std::vector<Begin> begins;
-    for (std::size_t i = 0, w = 0; i < schedule.size(); ++i) {
-      if (!field_.benches()[i].down) {
-        for (std::size_t step = field_.whole(w).first.size(); step < schedule[i].size(); ++step) {
-          begins.push_back({schedule[i][step].begin, w});
-        }
-        ++w;
-      }
-    }
-    std::stable_sort(begins.begin(), begins.end(),
-                     [](const Begin& a, const Begin& b) { return a.at < b.at; });
-    const auto beginning = [&](std::size_t tests) {
-      BenchLists part(lists.size());
-      for (std::size_t i = 0; i < tests; ++i) {
-        const std::size_t w = begins[i].bench;
-        part[w].push_back(lists[w][part[w].size()]);
-      }
-      return part;
-    };
-    std::size_t low = 0;
-    for (std::size_t high = begins.size(); low < high;) {
-      const std::size_t middle = low + (high - low + 1) / 2;
-      counted("", "", beginning(middle)).cost <= budget ? low = middle : high = middle - 1;
-    }
-    return beginning(low);
-  }
-
-  void find_affordable(Amount budget) {
-    Amount spent;
-    for (std::size_t w = 0; w < field_.size(); ++w) {
-      spent += field_.spent(w);
-    }
-    std::vector<BenchCandidate> within;
-    BenchCandidate none =
-        counted("the first tests", "no test after them", BenchLists(field_.size()));
-    if (none.cost > budget) {
-      throw BadInput(fmt::format(
-          "the tests that come first cost {} by themselves, more than the budget of {}; raise "
-          "the budget, or leave some of them out",
-          to_string(none.cost), to_string(budget)));
-    }
-    constexpr std::size_t few = 3;
-    for (std::size_t i = 0; i < std::min(few, plan_.candidates.size()); ++i) {
-      const BenchCandidate& whole = plan_.candidates[i];
-      if (i == 0 || !control_->stop_wanted()) {
-        BenchCandidate part = counted("beginning of: " + whole.name, "", affordable(whole, budget));
-        part.how = fmt::format("the first {} of its {}", part.tests, count_of(whole.tests, "test"));
-        within.push_back(std::move(part));
-      }
-    }
-    if (!field_.asked().weights.empty()) {
-      plan_.most_weight = most_weight(budget);
-    }
-    std::stable_sort(within.begin(), within.end(), tests_more);
-    keep_what_there_is([&] { search_within(budget, within); });
-    within.push_back(std::move(none));
-    std::erase_if(within, [&](const BenchCandidate& c) { return c.cost > budget; });
-    std::stable_sort(within.begin(), within.end(), tests_more);
-    plan_.candidates = std::move(within);
-  }
-
-  void search_within(Amount budget, std::vector<BenchCandidate>& within) {
-    const ListsJob job = field_.lists_job(field_.most_tests(), true);
-    const std::uint64_t unit = job.weights.front().unit;
-    ListsSearch search{.aim = Aim::most_weight,
-                       .budget = static_cast<std::int64_t>(budget.millionths / unit),
-                       .whole = static_cast<std::int64_t>(plan_.bound.cost.millionths / unit),
-                       .steps = options_->plan.steps,
-                       .attempts = options_->plan.attempts,
-                       .phase = "looking for the most pairs within the budget"};
-    do {
-      std::vector<BenchLists> starts;
-      for (const BenchCandidate& candidate : within) {
-        const BenchLists lists = without_first(candidate.lists);
-        if (Lists(job, lists).total() <= search.budget) {
-          starts.push_back(lists);
-        }
-      }
-      if (starts.empty() || control_->stop_wanted()) {
-        return;
-      }
-      const FoundLists found = search_lists(job, starts, search, *control_);
-      plan_.steps += found.steps;
-      BenchCandidate candidate = counted(
-          between_benches, "tests and parts moved between benches, within the budget", found.lists);
-      std::erase_if(within, [&](const BenchCandidate& c) {
-        return c.name == candidate.name && tests_more(candidate, c);
-      });
-      if (std::none_of(within.begin(), within.end(),
-                       [&](const BenchCandidate& c) { return c.name == candidate.name; })) {
-        within.push_back(std::move(candidate));
-      }
-      std::stable_sort(within.begin(), within.end(), tests_more);
-      ++search.round;
-    } while (options_->plan.until_stopped);
-  }
-
-  // A bound on the weight within the budget: end to end the lists are one list, for which the least
-  // costs are enough. Parts at the start of a bench are charged once more, with a test.
-  [[nodiscard]] std::optional<Amount> most_weight(Amount budget) const {
-    if (!field_.alike()) {
-      return std::nullopt;
-    }
-    Job job = field_.asked();
-    const Job& own = field_.whole(0);
-    job.test_cost = own.test_cost;
-    job.change_costs = own.change_costs;
-    job.at_once = own.at_once;
-    job.mounted = own.mounted;
-    job.slots = own.slots;
-    job.slot_of = own.slot_of;
-    job.start = own.start;
-    job.first.clear();
-    for (std::size_t w = 1; w < field_.size() && !own.start.empty(); ++w) {
-      budget += job.test_cost;
-      for (const Element x : own.start) {
-        budget += job.change_costs[x];
-      }
-    }
-    return most_weight_within(job, budget);
   }
 
   BenchField field_;
