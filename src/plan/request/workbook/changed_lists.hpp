@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "changeover/io/input.hpp"
-#include "changeover/io/tables.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "io/table/table.hpp"
 #include "plan/request/workbook/run_workbook.hpp"
 
 namespace changeover {
