@@ -236,11 +236,21 @@ export async function designOf(asked: Asked, signal: AbortSignal): Promise<Desig
   if (!isCell(asked)) {
     throw new ApiError(notCopied, 404);
   }
-  const label = (await keptCell(asked)).best?.label;
-  if (!label) {
+  const { best } = await keptCell(asked);
+  if (!best) {
     throw new ApiError(notCopied, 404);
   }
-  return shelved(label);
+  if (best.label) {
+    return shelved(best.label);
+  }
+  // A design of a construction: the catalog does not keep it, so it has no label.
+  const { label: _, ...made } = await shelved(cellLabel(asked));
+  return made;
+}
+
+/** `20.5.2.linear`, with which labels of the cell's designs begin. */
+function cellLabel({ v, k, change, kind, strength = 2 }: Cell): string {
+  return `${v}.${k}.${change}.${kind}${strength === 2 ? '' : `.t${strength}`}`;
 }
 
 function cellOf(label: string): Cell {

@@ -27,7 +27,8 @@ namespace changeover::serve {
 
 class PackedDesigns {
  public:
-  /// Thread-safe. Labels are those of the catalog.
+  /// Thread-safe. Labels are those of the catalog; that of its cell for a design that it does not
+  /// keep.
   void add(const std::string& label, const Design& design, const DesignVerdict& verdict);
 
   /// The file, designs by their labels; nothing is left.

@@ -33,6 +33,9 @@
 namespace changeover::serve {
 namespace {
 
+// No page shows designs with more.
+constexpr std::uint64_t most_exported_blocks = 200'000;
+
 // The page says where its data are, and asks for nothing from elsewhere wherever it is put.
 std::string static_index(std::string page, const std::string& address) {
   constexpr std::string_view head = "<head>";
@@ -156,7 +159,7 @@ class Site {
   }
 
   [[nodiscard]] std::uint64_t cells() const { return cells_; }
-  [[nodiscard]] std::uint64_t designs() const { return written_.size(); }
+  [[nodiscard]] std::uint64_t designs() const { return written_.size() + made_; }
 
  private:
   void write_selection(const std::string& name, const AtlasQuestion& asked, const Cells& cells) {
@@ -217,7 +220,20 @@ class Site {
         designs.add(label, design, chosen.exhibit.judgement.verdict);
       }
     }
+    if (cell.best && cell.best->b <= most_exported_blocks && label_of(*cell.best).empty()) {
+      write_made(*cell.best, designs);
+    }
     return document;
+  }
+
+  // A best design of a construction, which the catalog does not keep: no link to it leads nowhere.
+  void write_made(const Offer& best, PackedDesigns& designs) {
+    stop_if_asked();
+    const cli::ChosenDesign chosen = cli::built(best);
+    Design design = read_all(*chosen.source);
+    design.set_labels(chosen.exhibit.header.labels);
+    designs.add(cell_label(best.recipe.parameters), design, chosen.exhibit.judgement.verdict);
+    ++made_;
   }
 
   bool is_new(const std::string& label) {
@@ -231,6 +247,7 @@ class Site {
   const Catalog& catalog_;
   RunControl& control_;
   std::atomic<std::uint64_t> cells_ = 0;
+  std::atomic<std::uint64_t> made_ = 0;
   std::vector<std::string> named_cells_;
   CitationForms citations_;
   std::mutex mutex_;
