@@ -108,6 +108,10 @@ inline constexpr std::uint64_t most_read_elements = 20'000'000;  ///< circle: bl
                                   const Registry& registry = Registry::standard(),
                                   const std::string& note = {});
 
+/// A circle shows the base blocks if there are no more: more lines say nothing. Otherwise it has
+/// the first two blocks.
+inline constexpr std::uint64_t most_circle_blocks = 12;
+
 /// Base blocks that were found in a list of blocks: block i·c + j is the image of base block j
 /// under π^(shift·i).
 struct FoundRotation {

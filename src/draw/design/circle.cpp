@@ -13,7 +13,6 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_blocks = 12;  // more lines than that say nothing
 constexpr double list_width = 330;
 constexpr double font = 12;
 constexpr double list_line = 17;
@@ -114,7 +113,7 @@ Picture draw_design_circle(const Drawing& drawing) {
   std::optional<FoundRotation> rotation;
   if (drawing.is_whole()) {
     rotation = find_rotation(design);
-    if (rotation && rotation->base_blocks.size() > most_blocks) {
+    if (rotation && rotation->base_blocks.size() > most_circle_blocks) {
       rotation.reset();
     }
   }
@@ -122,7 +121,7 @@ Picture draw_design_circle(const Drawing& drawing) {
   const std::uint64_t base_blocks = rotation ? rotation->base_blocks.size() : 0;
   const std::uint64_t named =
       drawing.options.to ? *drawing.options.to - first : std::max<std::uint64_t>(2, base_blocks);
-  CircleFigure figure = circle_figure(design, first, std::min(named, most_blocks));
+  CircleFigure figure = circle_figure(design, first, std::min(named, most_circle_blocks));
   if (rotation && rotation->pi.cycles == 1 && rotation->pi.fixed == 1) {
     figure.centre = static_cast<std::uint32_t>(rotation->pi.n);
   }

@@ -77,10 +77,15 @@ void draw_it(Dossier& dossier) {
   constexpr std::uint64_t most_points = 60;
   constexpr std::uint64_t most_rows = 80;
   constexpr std::uint64_t most_columns = 240;
+  constexpr std::uint64_t shortest_cycle = 7;  // shorter ones show no symmetry on a ring
   const Parameters& p = dossier.parameters;
   const Design& design = *dossier.design;
   DrawOptions options{.picture = PictureKind::stays};
-  if (p.kind == Kind::circular && p.v <= most_points && find_rotation(design)) {
+  const auto rotation = p.kind == Kind::circular && p.v <= most_points
+                            ? find_rotation(design)
+                            : std::optional<FoundRotation>();
+  if (rotation && rotation->base_blocks.size() <= most_circle_blocks &&
+      rotation->pi.n >= shortest_cycle) {
     options.picture = PictureKind::circle;
     dossier.picture_says = "The base blocks, with the pairs that they newly cover.";
   } else if (p.v <= most_rows && dossier.b <= most_columns) {

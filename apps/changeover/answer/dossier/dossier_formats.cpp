@@ -321,7 +321,7 @@ class Markdown final : public Form {
   }
   void theorems(const Dossier& dossier) override {
     heading("Theorems used");
-    paragraph("As docs/theorems.md has them in the source of Changeover, with their proofs.");
+    paragraph(fmt::format("As Changeover {} has them, with their proofs.", version));
     for (const QuotedTheorem& theorem : dossier.theorems) {
       text += "> ";
       for (const char c : theorem.statement) {

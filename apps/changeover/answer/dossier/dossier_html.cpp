@@ -29,6 +29,7 @@ constexpr std::string_view style = R"(
            gap: .5rem 1.2rem; margin: 1rem 0; padding: .7rem .9rem; border: 1px solid #ccd0d4;
            border-radius: .3rem; }
   .facts .wide { grid-column: 1 / -1; }
+  @media (min-width: 34rem) { .facts .double { grid-column: span 2; } }
   .facts dt { font-size: .85rem; color: #555; }
   .facts dd { margin: 0; overflow-wrap: anywhere; }
   .blocks { white-space: pre; counter-reset: block; line-height: 1.45; }
@@ -47,6 +48,8 @@ constexpr std::string_view style = R"(
   @media print {
     body { margin: 0; max-width: none; font-size: 10pt; } nav { display: none; }
     h2, h3 { break-after: avoid; } pre, code { background: none; } pre { padding: 0; }
+    .facts { grid-template-columns: repeat(4, 1fr); margin: .5rem 0; } pre { font-size: .8em; }
+    .facts .double { grid-column: span 2; } h2 { margin-top: 1rem; }
     .blocks { display: grid; columns: auto; } }
   @media (prefers-color-scheme: dark) { @media screen {
     body { color: #e8e8e8; background: #16181a; } pre, code { background: #24272a; }
@@ -74,8 +77,11 @@ class Html final : public Form {
     facts_at_ = text.size();
     text += "<dl class=\"facts\">\n";
     for (const DossierFact& row : rows) {
+      const bool is_label = row.name == "catalog label";
       text += fmt::format("<div{}><dt>{}</dt><dd>{}</dd></div>\n",
-                          row.value.size() > short_value ? " class=\"wide\"" : "",
+                          row.value.size() > short_value ? " class=\"wide\""
+                          : is_label                     ? " class=\"double\""
+                                                         : "",
                           html_prose(row.name), prose(row.value));
     }
     text += "</dl>\n";
@@ -126,8 +132,9 @@ class Html final : public Form {
   void theorems(const Dossier& dossier) override {
     heading("Theorems used");
     paragraph(
-        "As `docs/theorems.md` has them in the source of Changeover, with their proofs; "
-        "conventions and signs are explained there.");
+        fmt::format("As Changeover {} has them. Their proofs, and what the signs mean, are on the "
+                    "page Theorems of its explorer, which `changeover serve` opens.",
+                    version));
     for (const QuotedTheorem& theorem : dossier.theorems) {
       const std::string name = "Theorem " + theorem.number;
       const std::string linked = explorer_.empty()
@@ -156,8 +163,8 @@ class Html final : public Form {
     }
     if (!dossier.theorems.empty()) {
       text += fmt::format(
-          "<li>The Changeover developers. Theorems of Changeover {}, with proofs: "
-          "<code>docs/theorems.md</code> in its source\n",
+          "<li>The Changeover developers. Theorems of Changeover {}, with proofs: the page "
+          "Theorems of its explorer, <code>changeover serve</code>\n",
           version);
     }
     text += works ? "</ul>\n" : "";

@@ -141,7 +141,7 @@ std::string own_theorems_bibtex() {
   return fmt::format(
       "@misc{{{},\n  author = {{{{The Changeover developers}}}},\n"
       "  title  = {{{{Theorems of Changeover, with proofs}}}},\n"
-      "  note   = {{The file docs/theorems.md in the source of Changeover {}}}\n}}\n",
+      "  note   = {{Changeover {}, page Theorems of its explorer: changeover serve}}\n}}\n",
       own_key, version);
 }
 

@@ -78,7 +78,7 @@ class CutSource final : public BlockSource {
 
 constexpr Description description{
     .name = "cut",
-    .summary = "a circular design read as a linear one that begins after block `at`",
+    .summary = "a circular design read as a linear one, from any of its blocks on",
     .preconditions = "linear, and a circular design with the same m, v, k",
     .guarantee = "as many blocks as the circular design",
 };

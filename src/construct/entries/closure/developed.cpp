@@ -72,6 +72,21 @@ constexpr Description description{
     .guarantee = "cn blocks; whether a design: verify",
 };
 
+// Which number is which element: ": 3j + i is i of copy j, written i_j; 42 is fixed, written ∞".
+std::string names_of(const Permutation& pi) {
+  std::string text;
+  if (pi.cycles > 1) {
+    text += fmt::format(": {}j + i is i of copy j, written i_j", pi.n);
+  }
+  if (pi.fixed > 0) {
+    text += text.empty() ? ": " : "; ";
+    text += pi.fixed == 1 ? fmt::format("{} is fixed, written ∞", pi.moved())
+                          : fmt::format("{} to {} are fixed, written ∞_0 to ∞_{}", pi.moved(),
+                                        pi.v() - 1, pi.fixed - 1);
+  }
+  return text;
+}
+
 class Developed final : public Described<Entry, description> {
  public:
   std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
@@ -98,8 +113,11 @@ class Developed final : public Described<Entry, description> {
     }
     text += pi.cycles == 1 ? fmt::format(" over Z_{}", pi.n)
                            : fmt::format(" over {} copies of Z_{}", pi.cycles, pi.n);
-    text += pi.fixed == 0 ? "" : fmt::format(" and {} fixed", pi.fixed);
+    text += pi.fixed == 0   ? ""
+            : pi.fixed == 1 ? " and a fixed element"
+                            : fmt::format(" and {} fixed elements", pi.fixed);
     text += pi.shift == 1 ? "" : fmt::format(", adding {} each time", pi.shift);
+    text += names_of(pi);
     return text + (recipe.provenance.empty() ? "." : fmt::format("; from: {}.", recipe.provenance));
   }
 

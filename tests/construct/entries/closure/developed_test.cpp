@@ -72,7 +72,19 @@ TEST(Developed, NamesItsSource) {
   Recipe recipe = developed(six, 3, 0, 1, {{0, 3, 1, 4}});
   recipe.provenance = "a search";
   EXPECT_EQ(construction("developed").explain(recipe),
-            "Develop the base block {0,3,1,4} over 2 copies of Z_3; from: a search.");
+            "Develop the base block {0,3,1,4} over 2 copies of Z_3: 3j + i is i of copy j, "
+            "written i_j; from: a search.");
+}
+
+TEST(Developed, SaysWhichNumberIsWhichElement) {
+  const Recipe one = developed({7, 4, 2, Kind::circular, 2}, 3, 1, 1, {{0, 3, 1, 6}});
+  EXPECT_EQ(construction("developed").explain(one),
+            "Develop the base block {0,3,1,6} over 2 copies of Z_3 and a fixed element: 3j + i is "
+            "i of copy j, written i_j; 6 is fixed, written ∞.");
+  const Recipe two = developed({8, 6, 2, Kind::circular, 2}, 6, 2, 1, {{0, 3, 1, 4, 6, 7}});
+  EXPECT_EQ(construction("developed").explain(two),
+            "Develop the base block {0,3,1,4,6,7} over Z_6 and 2 fixed elements: 6 to 7 are fixed, "
+            "written ∞_0 to ∞_1.");
 }
 
 TEST(Developed, OffersNothing) {
