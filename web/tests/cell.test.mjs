@@ -187,7 +187,8 @@ test('recipes of triples lead to triples, and signs in them are set', async (exp
 
 test('a dossier is a page with its style, works in words and no line wider than a phone', async (explorer) => {
   const page = await explorer.open('#/cell?v=9&k=3&change=1');
-  const to = await page.getByRole('link', { name: 'a page' }).getAttribute('href');
+  const link = page.getByRole('link', { name: 'Write-up for a paper' });
+  const to = await link.getAttribute('href');
   await page.goto(new URL(to, page.url()).href);
   const heading = page.getByRole('heading', { level: 1 });
   assert.equal(await heading.textContent(), 'A circular SCCD(9,3) with 18 blocks');

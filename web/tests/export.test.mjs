@@ -94,6 +94,16 @@ test('catalog, cell, design, theorems', async (explorer) => {
   await page.locator('#theorem-1').waitFor();
 });
 
+test('a best design that a construction makes is there, too', async (explorer) => {
+  const page = await explorer.open('#/cell?v=14&k=5&kind=circular');
+  await page.locator('.known').waitFor();
+  assert.equal(await page.locator('.known .code').count(), 0, 'it has no label');
+  await page.getByRole('link', { name: 'Open the design' }).click();
+  await page.locator('.block-text', { hasText: 'Block 1 of' }).waitFor();
+  await page.keyboard.press('End');
+  await page.locator('.met', { hasText: '(100 %)' }).waitFor();
+});
+
 test('the window of the map, groups and permanent addresses', async (explorer) => {
   const page = await explorer.open('#/catalog?k=4&v=6..10&group=1');
   await page.locator('.filter-says', { hasText: 'with a group of order > 1' }).waitFor();

@@ -90,7 +90,7 @@ test('the glossary is a click away on every page', async (explorer) => {
     await settled(page);
     await page.getByRole('button', { name: 'Glossary' }).click();
     const dialog = page.getByRole('dialog', { name: 'Glossary' });
-    await dialog.getByText('tight', { exact: true }).waitFor();
+    await dialog.locator('dfn').getByText('tight', { exact: true }).waitFor();
     await dialog.getByLabel('Find a term').fill('evict');
     assert.equal(await dialog.locator('dt').count(), 1);
     await dialog.getByLabel('Find a term').fill('');
@@ -121,9 +121,9 @@ test('with less motion nothing moves by itself', async (explorer) => {
 test('each term has an address', async (explorer) => {
   const page = await explorer.open('#/glossary?term=group');
   const chosen = page.locator('dt.chosen');
-  assert.equal(await chosen.textContent(), 'automorphism, group');
+  assert.equal(await chosen.locator('dfn').textContent(), 'automorphism, group');
   assert.ok(await chosen.evaluate((it) => it.getBoundingClientRect().bottom < window.innerHeight));
-  await page.getByRole('link', { name: 'tight', exact: true }).click();
+  await page.getByRole('link', { name: 'Link to tight', exact: true }).click();
   await page.locator('dt.chosen', { hasText: 'tight' }).waitFor();
   assert.match(page.url(), /#\/glossary\?term=tight$/);
   await look(page, 'glossary');

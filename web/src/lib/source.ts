@@ -100,9 +100,12 @@ export function atlasOf(selection: Selection): Promise<Atlas> {
   return asked;
 }
 
+/** Tables of the program have no larger v or k. */
+const largest = 1000;
+
 /**
  * The part of a selection near a cell. Where the catalog has no map, which takes long to compute,
- * it is of these cells only; null in a static copy.
+ * it is of these cells only; null in a static copy, and where there are no tables.
  */
 export async function atlasNear(
   cell: Cell,
@@ -115,8 +118,11 @@ export async function atlasNear(
   if (whole?.has(cell.v, cell.k) || isCopy()) {
     return whole;
   }
+  if (Math.max(cell.v, cell.k) > largest) {
+    return null;
+  }
   const range = (at: number, by: number, least: number): string =>
-    `${Math.max(least, at - by)}..${at + by}`;
+    `${Math.max(least, at - by)}..${Math.min(at + by, largest)}`;
   return new Atlas(
     await get(
       'atlas',

@@ -21,7 +21,7 @@ import { at } from './cell/address';
 import { beyondTheCopy, exchanged, tooLarge } from './cell/none';
 import { origins } from './cell/designs';
 import { neighbourhood } from './cell/neighbours';
-import { summary } from './cell/summary';
+import { isTooLong, summary } from './cell/summary';
 
 /** The same with other parameters. Arrow keys go to neighbours, too. */
 function others(cell: Cell): HTMLElement {
@@ -160,12 +160,12 @@ function howMany(detail: CellDetail): Child[] {
       h('strong', {}, count(all.classes, 'class', 'classes')),
       ` of designs with ${count(all.b, 'block')}, up to names of the elements`,
       detail.kind === 'circular' && ' and rotation',
-      `; in ${count(all.standard_forms, 'standard form')}. `,
+      `, or ${number(all.standard_forms)} up to names alone (standard forms). `,
       all.tight > 0 &&
         (all.tight === all.classes
           ? 'All are tight. '
           : `${number(all.tight)} of the classes are tight. `),
-      'These are all: counted by exhaustive search, each design verified.',
+      'There are no others: an exhaustive search found them, and each was verified.',
     ),
     h(
       'ul',
@@ -364,6 +364,7 @@ export const cell: Page = {
     }
     const recipe = h('div', { class: 'recipe-place' }, h('p', { class: 'hint' }, 'Asking …'));
     begin();
+    const isLong = detail.best !== null && isTooLong(wanted, detail.best.b);
     const files = h('div', {}, !frozen && downloads(wanted, null, false));
     const figure = h('figure', { class: 'known-picture' });
     const around = h('section', { class: 'around-place', 'aria-label': 'Cells around this one' });
@@ -386,7 +387,7 @@ export const cell: Page = {
           'div',
           { class: 'cell-side' },
           !detail.impossible && around,
-          detail.best && [h('h2', {}, 'Download the best design'), files],
+          detail.best && !isLong && [h('h2', {}, 'Download the best design'), files],
           !frozen && detail.best && forAPaper(wanted),
           offers(detail),
           howMany(detail),
@@ -454,11 +455,10 @@ function forAPaper(cell: Cell): HTMLElement {
   return h(
     'p',
     { class: 'hint' },
-    'For a paper, with bounds, construction, blocks, how to check and what to cite: ',
-    dossierLink(cell, 'html', 'a page'),
-    ', ',
+    'The write-up, with bounds, construction, blocks, how to check and what to cite, also as ',
     dossierLink(cell, 'latex', 'LaTeX'),
-    ', ',
+    ' or ',
     dossierLink(cell, 'markdown', 'Markdown'),
+    '.',
   );
 }

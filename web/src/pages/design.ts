@@ -17,7 +17,7 @@ import { link, problem, type Page, type View } from '../shell/router';
 import { chips, facts } from './design/facts';
 import { citation } from './cell/designs';
 import { arrayView } from './design/array';
-import { circleView } from './design/circle';
+import { circleView, hasShortCycles } from './design/circle';
 import { matrix } from './design/matrix';
 import { blockScale, matrixKey } from './design/matrix_key';
 import { recipePicture, savePicture } from './design/pictures';
@@ -58,7 +58,14 @@ function recipeTab(asked: Asked, design: Design, panel: HTMLElement, signal: Abo
         );
         return;
       }
-      fill(place, recipeTree(found.tree, design));
+      fill(
+        place,
+        recipeTree(found.tree, {
+          ...design,
+          // Who found it, and how, stands in the facts.
+          withoutOrigin: /; \d{4}-\d\d-\d\d\. \S/.test(found.tree.explanation),
+        }),
+      );
       if (found.tree.inputs.length > 0) {
         void recipePicture(asked, image, signal);
       }
@@ -162,7 +169,25 @@ function whatNext(design: Design, frozen: boolean): HTMLElement {
   return h(
     'ul',
     { class: 'next-links' },
-    h('li', {}, h('a', { href: link('cell', cell) }, 'Bounds, history and citation')),
+    ...[
+      { v: v - 1, k },
+      { v: v + 1, k },
+      { v, k: k - 1 },
+      { v, k: k + 1 },
+    ]
+      .filter((next) => !frozen && next.k > change && next.v >= next.k)
+      .slice(0, 2)
+      .map((next) =>
+        h(
+          'li',
+          {},
+          h(
+            'a',
+            { href: link('cell', { ...cell, ...next }) },
+            `The cell of v = ${next.v}, k = ${next.k}`,
+          ),
+        ),
+      ),
     h(
       'li',
       {},
@@ -211,14 +236,31 @@ export const design: Page = {
         return;
       }
       const cell = isCell(asked) ? asked : 'label' in asked ? cellOfLabel(asked.label) : null;
+      // Where none can exist, the message says why.
+      const none =
+        isCell(asked) && fault instanceof ApiError && /^nothing is known/i.test(fault.message);
       fill(
         view.root,
-        h('h1', {}, 'No design to show'),
-        problem(
-          'label' in asked && fault instanceof ApiError && fault.status === 404 && !frozen
-            ? new Error(`The catalog has no design with the label ${asked.label}.`)
-            : fault,
-        ),
+        h('h1', {}, none ? 'No design is known' : 'No design to show'),
+        none
+          ? h(
+              'p',
+              { class: 'note', role: 'alert' },
+              `No ${nameOf(asked)} is known`,
+              (asked.strength ?? 2) > 2 && `, with strength ${asked.strength}`,
+              '.',
+            )
+          : problem(
+              'label' in asked && fault instanceof ApiError && fault.status === 404 && !frozen
+                ? new Error(`The catalog has no design with the label ${asked.label}.`)
+                : fault,
+            ),
+        none &&
+          h(
+            'p',
+            { class: 'buttons' },
+            h('a', { class: 'button', href: link('search', { ...asked }) }, 'Search for one'),
+          ),
         cell &&
           h(
             'p',
@@ -413,10 +455,12 @@ export const design: Page = {
         ? [
             {
               name: 'circle',
-              title: 'Circle',
+              title: hasShortCycles(symmetry) ? 'Cycles' : 'Circle',
               draw: (panel: HTMLElement, signal: AbortSignal) => {
                 circleView(symmetry, chosen, panel, signal);
-                panel.append(h('p', {}, save('circle', () => ({}), signal) || ''));
+                // The program draws rings.
+                const drawn = !hasShortCycles(symmetry) && save('circle', () => ({}), signal);
+                panel.append(h('p', {}, drawn || ''));
               },
             },
           ]
@@ -434,7 +478,7 @@ export const design: Page = {
       type: 'text',
       id: 'select-elements',
       autocomplete: 'off',
-      placeholder: '3 or 3 7',
+      placeholder: shown.labels ? `${shown.labels[0]} ${shown.labels[1]}` : '3 or 3 7',
       'aria-label': 'Select an element or a pair',
     });
     const bySelf = h(
@@ -448,12 +492,15 @@ export const design: Page = {
             ? wantedElements.removeAttribute('aria-invalid')
             : wantedElements.setAttribute('aria-invalid', 'true');
           fill(notSelected, wrong && h('p', { class: 'problem' }, wrong));
+          wrong ? fill(selected) : tell();
         },
       },
       wantedElements,
       h('button', { type: 'submit', class: 'plain small' }, 'Select'),
     );
     const tell = (): void => {
+      fill(notSelected);
+      wantedElements.removeAttribute('aria-invalid');
       const words = chosen.words(steps, stays);
       fill(
         selected,

@@ -107,6 +107,18 @@ function piecewise(tasks: (() => void)[], first: number, signal: AbortSignal): {
   return { rest };
 }
 
+/** Tells the browser how high an article is that it lays out when that comes near. */
+function measured(article: HTMLElement): () => void {
+  return () => {
+    article.style.contentVisibility = 'visible';
+    const { height } = article.getBoundingClientRect();
+    article.style.contentVisibility = '';
+    if (height > 0) {
+      article.style.containIntrinsicSize = `auto ${height}px`;
+    }
+  };
+}
+
 /**
  * Scrolls to a part and keeps it there while what is above gets its height: statements are laid out
  * as they come near, and then the part moves. At once, for on a way through them the end would
@@ -143,10 +155,6 @@ function followReading(
   );
   const parts = [...entries.keys()].flatMap(
     (id) => root.querySelector<HTMLElement>(`#${id}`) ?? [],
-  );
-  // The contents have another order than the page.
-  parts.sort((one, other) =>
-    one.compareDocumentPosition(other) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1,
   );
   const list = contents.querySelector('ul')!;
   let marked: HTMLElement | undefined;
@@ -303,7 +311,12 @@ export const theorems: Page = {
       fill(view.root, h('h1', {}, 'Theorems and constructions'), problem(fault));
       return;
     }
-    const [proved, built] = answers;
+    const [told, built] = answers;
+    // The page has the order of its contents.
+    const inGroups = grouped(told);
+    const proved = inGroups.flatMap(([, entries]) =>
+      entries.map(([number]) => told.find((each) => each.number === number)!),
+    );
     const gallery = new Gallery(view.signal);
     const articles = built.map((each) =>
       construction(each, gallery, each.name === wanted.construction),
@@ -338,7 +351,7 @@ export const theorems: Page = {
     );
     const anchored = Boolean(wanted.theorem ?? wanted.construction ?? wanted.reference);
     const statements = piecewise(
-      stated.map(({ write }) => write),
+      [...stated.map(({ write }) => write), ...stated.map(({ element }) => measured(element))],
       anchored ? stated.length : 3,
       view.signal,
     );
@@ -346,7 +359,7 @@ export const theorems: Page = {
     const seek = h('input', {
       type: 'search',
       id: 'seek',
-      placeholder: 'tight, k = 5, benches, 23',
+      placeholder: 'tight, benches, 23',
       oninput: () => {
         siftTheorems();
         statements.rest();
@@ -419,6 +432,14 @@ export const theorems: Page = {
       );
       return head;
     };
+    const pageHead = (heading: string, entries: readonly Entry[]): HTMLElement => {
+      const head = h('h3', { class: 'theorem-group' }, heading);
+      heads.set(
+        head,
+        entries.map(([number]) => number),
+      );
+      return head;
+    };
     const here = h('span', { class: 'contents-here', 'aria-hidden': 'true' });
     const beside = window.matchMedia('(min-width: 56.01rem)');
     const contents = h(
@@ -431,7 +452,7 @@ export const theorems: Page = {
         h(
           'ul',
           {},
-          grouped(proved).flatMap(([heading, entries]) => [
+          inGroups.flatMap(([heading, entries]) => [
             headOf(heading, entries),
             ...entries.map(([number, title]) => {
               const entry = jump(
@@ -489,7 +510,12 @@ export const theorems: Page = {
             h('div', { class: 'field' }, h('label', { for: seek.id }, 'Find a theorem'), seek),
             sought,
           ),
-          stated.map(({ element }) => element),
+          inGroups.flatMap(([heading, entries]) => [
+            pageHead(heading, entries),
+            ...entries.map(
+              ([number]) => stated[proved.findIndex((each) => each.number === number)]!.element,
+            ),
+          ]),
           h('h2', { id: 'constructions', tabindex: -1 }, 'Constructions'),
           h(
             'div',

@@ -14,7 +14,7 @@ import { citation } from './verify/citation';
 import { examples } from './verify/examples';
 import { excerpt, lineRange } from '../parts/excerpt';
 import { repairOffer } from './verify/repair';
-import { elementTable, facts, headline } from './verify/verdict';
+import { alsoCircular, elementTable, facts, headline } from './verify/verdict';
 
 /** Larger texts are not put into the field, only named. */
 const longestShown = 1_000_000;
@@ -194,7 +194,12 @@ async function render(view: View): Promise<void> {
         { url: address('verify', { v: v.value, change: change.value, kind: kind.value }), body },
         mine.signal,
       );
-      const head = h('div', { class: 'verify-head' }, headline(report), actions(report, body));
+      const head = h(
+        'div',
+        { class: 'verify-head' },
+        headline(report, asCircular(report)),
+        actions(report, body),
+      );
       const list = report.blocks.shown ? blockList(report, view) : defects(report);
       const mended = !report.answer.valid && report.blocks.shown;
       fill(
@@ -208,7 +213,7 @@ async function render(view: View): Promise<void> {
             'div',
             {},
             mended ? mend(report, body) : null,
-            report.answer.valid && citation(report, mine.signal),
+            report.answer.valid && report.blocks.b > 1 && citation(report, mine.signal),
             facts(report),
             elementTable(report),
           ),
@@ -229,6 +234,14 @@ async function render(view: View): Promise<void> {
         }
       }
     }
+  }
+
+  function asCircular(report: Report): Child {
+    return alsoCircular(report, () => {
+      kind.value = 'circular';
+      view.go({ kind: 'circular' }, { quiet: true });
+      void run(true);
+    });
   }
 
   function mend(report: Report, body: string | Blob): HTMLElement {
@@ -345,7 +358,7 @@ async function render(view: View): Promise<void> {
         'What is known for these parameters',
       ),
     );
-    if (report.answer.valid) {
+    if (report.answer.valid && report.blocks.b > 1) {
       about().then(
         ({ write }) => {
           if (write && hasToken()) {

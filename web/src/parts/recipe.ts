@@ -64,16 +64,56 @@ export function told(explanation: string, { labels, withoutOrigin }: Telling = {
   const text = withoutOrigin
     ? explanation.replace(/^Written down in the catalog as .*?; \d{4}-\d\d-\d\d\.(?: (?=\S)|$)/, '')
     : explanation;
-  return text.replace(/Develop the base blocks? .*? over \d+ copies of/g, (all) =>
-    all.replace(/\{(\d+(?:,\d+)*)\}/g, (block, numbers: string) =>
-      labels
-        ? `{${numbers
+  if (!labels) {
+    return text;
+  }
+  return text
+    .replace(/Develop the base blocks? .*? over \d+ copies of/g, (all) =>
+      all.replace(
+        /\{(\d+(?:,\d+)*)\}/g,
+        (_, numbers: string) =>
+          `{${numbers
             .split(',')
             .map((x) => labels[Number(x)] ?? x)
-            .join(', ')}}`
-        : block,
-    ),
+            .join(', ')}}`,
+      ),
+    )
+    .replace(/: \d+j \+ i is i of copy j, written i_j/, ': i_j is i of copy j')
+    .replace(/; \d+ is fixed, written ∞/, '')
+    .replace(/ and a fixed element/, ' and a fixed element ∞');
+}
+
+/** So many base blocks stand in a sentence; of longer lists so many are shown at first. */
+const inSentence = 4;
+const atFirst = 3;
+
+/** "Develop the base blocks …" with each block in one piece, and a long list folded. */
+function explained(text: string): Child[] {
+  const found = /^(.*?Develop the base blocks? )((?:\{[^}]*\}(?:, )?)+)( .*)$/s.exec(text);
+  const blocks = found?.[2]!.match(/\{[^}]*\}/g) ?? [];
+  if (!found || blocks.length <= inSentence) {
+    return reason(text);
+  }
+  const item = (block: string): HTMLElement => h('li', {}, reason(block));
+  const list = h('ul', { class: 'base-blocks' }, blocks.slice(0, atFirst).map(item));
+  const rest = h('li', {}, '');
+  const all = h(
+    'button',
+    {
+      type: 'button',
+      class: 'plain small',
+      onclick: () => {
+        rest.remove();
+        list.append(...blocks.slice(atFirst).map(item));
+        list.tabIndex = -1;
+        list.focus({ preventScroll: true });
+      },
+    },
+    `${number(blocks.length - atFirst)} more`,
   );
+  rest.append(all);
+  list.append(rest);
+  return [...reason(found[1]!), list, ...reason(found[3]!.trimStart())];
 }
 
 function node(tree: TreeNode, telling: Telling, depth: number): HTMLElement {
@@ -108,15 +148,15 @@ function node(tree: TreeNode, telling: Telling, depth: number): HTMLElement {
       tree.verdict?.minimum === 'proved' && [' ', badge('minimum')],
     ),
     h(
-      'p',
-      {},
+      'div',
+      { class: 'recipe-words' },
       'by ',
       h(
         'a',
         { href: link('theorems', { construction: tree.construction }) },
         h('strong', {}, tree.construction),
       ),
-      ...(explanation === '' ? [', as History says'] : [': ', ...reason(explanation)]),
+      ...(explanation === '' ? [', as History says'] : [': ', ...explained(explanation)]),
     ),
     tree.citation &&
       !/^\[(elementary|src\/.*)\]$/.test(tree.citation) &&

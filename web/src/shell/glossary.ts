@@ -1,7 +1,7 @@
 // The glossary: one list, a click away on every page, with an address for each term.
 import { fill, h, type Child } from '../lib/dom';
 import { mathText } from '../lib/mathematics';
-import { glossary, termAt } from '../lib/terms';
+import { glossary, seeAlso, termAt } from '../lib/terms';
 import { link } from './router';
 
 /**
@@ -32,9 +32,30 @@ export function termList(
         ? shown.flatMap(([term, meaning]): Child[] => {
             const mark = term === chosen ? { class: 'chosen', tabindex: -1 } : {};
             const to = link('glossary', { term: termAt(term) });
+            const also = seeAlso[term] ?? [];
             return [
-              h('dt', mark, h('a', { href: to, onclick: left }, h('dfn', {}, term))),
-              h('dd', term === chosen ? { class: 'chosen' } : {}, mathText(meaning)),
+              h(
+                'dt',
+                mark,
+                h('dfn', {}, mathText(term)),
+                h(
+                  'a',
+                  { class: 'term-link', href: to, onclick: left, 'aria-label': `Link to ${term}` },
+                  '#',
+                ),
+              ),
+              h(
+                'dd',
+                term === chosen ? { class: 'chosen' } : {},
+                mathText(meaning),
+                also.length > 0 && [
+                  h('span', { class: 'see-also' }, '. See also '),
+                  ...also.flatMap((each, i): Child[] => [
+                    i > 0 && ', ',
+                    h('a', { href: link('glossary', { term: termAt(each) }), onclick: left }, each),
+                  ]),
+                ],
+              ),
             ];
           })
         : [h('dt', {}, 'Nothing found')],

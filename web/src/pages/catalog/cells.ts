@@ -1,6 +1,7 @@
 // The table of cells: sorted as the link says.
 import type { AtlasCell } from '../../lib/atlas';
 import { h, scroll } from '../../lib/dom';
+import { constructions } from '../../lib/source';
 import { number, ratio } from '../../lib/words';
 import { badge } from '../../parts/status';
 import { rows } from '../../parts/rows';
@@ -75,6 +76,14 @@ function shortOrder(order: string): string {
 
 export function cellTable(view: View): CellTable {
   let all: readonly AtlasCell[] = [];
+  const summaries = new Map<string, string>();
+  constructions(view.signal).then(
+    (known) => {
+      known.forEach(({ name, summary }) => summaries.set(name, summary));
+      all.length > 0 && draw();
+    },
+    () => undefined, // The names are links.
+  );
   const list = rows<AtlasCell>((cell) => {
     const to = {
       v: cell.v,
@@ -109,14 +118,19 @@ export function cellTable(view: View): CellTable {
         cell.construction &&
           h(
             'a',
-            { href: link('theorems', { construction: cell.construction }) },
+            {
+              href: link('theorems', { construction: cell.construction }),
+              title: summaries.get(cell.construction) ?? null,
+            },
             cell.construction,
           ),
       ),
       h(
         'td',
         { class: 'label' },
-        cell.label ? h('a', { href: link('design', { label: cell.label }) }, cell.label) : '',
+        cell.label
+          ? h('a', { href: link('design', { label: cell.label }) }, cell.label)
+          : cell.b !== null && h('a', { href: link('design', to) }, 'made when asked for'),
       ),
     );
   }, view.signal);

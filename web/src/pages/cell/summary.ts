@@ -147,8 +147,11 @@ export function summary(
 /** The program shows designs of so many blocks, or elements in all blocks together. */
 const mostShown = { blocks: 200_000, elements: 25_000_000 };
 
+export const isTooLong = (cell: Cell, b: number): boolean =>
+  b > mostShown.blocks || b * cell.k > mostShown.elements;
+
 function openDesign(cell: Cell, b: number): HTMLElement {
-  return b > mostShown.blocks || b * cell.k > mostShown.elements
+  return isTooLong(cell, b)
     ? h(
         'span',
         { class: 'hint' },

@@ -18,8 +18,9 @@ export function arrayView(
   signal: AbortSignal,
 ): void {
   const { b, k, names } = steps;
-  const page = Math.min(b, pageOf(k));
-  let from = Math.max(1, Math.min(b - page + 1, chosen.range?.from ?? 1));
+  const most = pageOf(k);
+  let page = Math.min(b, most);
+  let from = chosen.range?.from ?? 1;
   const start = h('input', {
     type: 'number',
     min: 1,
@@ -36,6 +37,14 @@ export function arrayView(
     'button',
     { type: 'button', class: 'plain', onclick: () => go(from + page) },
     'later →',
+  );
+  const atOnce = h('span', { class: 'hint' });
+  const paging = h(
+    'div',
+    { class: 'row' },
+    field(`From block, of ${number(b)}`, start),
+    h('div', { class: 'row tight' }, earlier, later),
+    atOnce,
   );
   const body = h('div', {
     onclick: (event) => {
@@ -54,17 +63,26 @@ export function arrayView(
   });
 
   function go(to: number): void {
-    from = Math.max(1, Math.min(b - page + 1, Math.round(to)));
+    from = Math.round(to);
     draw();
   }
   let drawnAt = 0;
+  /** So many columns stand side by side: nothing scrolls sideways. */
+  let fit = 4;
+  const width = Math.max(34, 8 * (Math.max(...names.map((name) => name.length)) + 1) + 14);
   function draw(): void {
     drawnAt = panel.clientWidth;
+    fit = Math.max(4, Math.floor(((drawnAt || 320) - 2) / (width + 2)));
+    // Whole rows, and all blocks where these are few.
+    const bandsOfPage = Math.max(1, Math.min(drawnAt < 500 ? 3 : 4, Math.floor(most / fit)));
+    page = b <= 4 * fit && b <= 2 * most ? b : Math.min(b, fit * bandsOfPage);
+    from = Math.max(1, Math.min(b - page + 1, from));
     start.value = String(from);
     earlier.disabled = from === 1;
     later.disabled = from + page > b;
-    const to = Math.min(b, from + page - 1);
-    const columns = Array.from({ length: to - from + 1 }, (_, i) => steps.step(from + i));
+    paging.hidden = b <= page;
+    fill(atOnce, `${count(page, 'block')} at a time`);
+    const columns = Array.from({ length: page }, (_, i) => steps.step(from + i));
     const lit = chosen.elements;
     const starred = columns.map(
       (column) =>
@@ -72,12 +90,6 @@ export function arrayView(
           column.number === 1 && chosen.design.kind === 'circular' ? fresh(1) : column.entered,
         ),
     );
-    const widest = Math.max(
-      ...columns.flatMap(({ slots }) => [...slots].map((x) => names[x]!.length)),
-    );
-    const width = Math.max(34, 8 * (widest + 1) + 14);
-    // As many columns a band as fit: nothing scrolls sideways.
-    const fit = Math.max(4, Math.floor(((panel.clientWidth || 320) - 2) / (width + 2)));
     const bands = Array.from({ length: Math.ceil(columns.length / fit) }, (_, i) =>
       columns.slice(i * fit, (i + 1) * fit),
     );
@@ -166,14 +178,7 @@ export function arrayView(
       'A column for each block, as the field prints them. An element keeps its row as long as ' +
         'it stays; a star marks what is introduced. Click an element to see it everywhere.',
     ),
-    b > page &&
-      h(
-        'div',
-        { class: 'row' },
-        field(`From block, of ${number(b)}`, start),
-        h('div', { class: 'row tight' }, earlier, later),
-        h('span', { class: 'hint' }, `${count(page, 'block')} at a time`),
-      ),
+    paging,
     scroll('Array of blocks', body),
   );
   draw();

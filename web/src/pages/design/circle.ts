@@ -3,9 +3,12 @@
 import { hues } from '../../lib/colours';
 import { field, fill, h, select, svg } from '../../lib/dom';
 import { cyclesOf, type Symmetry } from '../../lib/symmetry';
-import { count, number } from '../../lib/words';
+import { count, indexed, number } from '../../lib/words';
 import { theme } from '../../shell/theme';
 import type { Chosen } from './selection';
+
+/** Shorter cycles say nothing on a ring: their elements stand in columns. */
+const shortestRing = 7;
 
 /** More blocks than this on one picture are a tangle. */
 const mostDrawn = 8;
@@ -126,6 +129,52 @@ export function circlePicture(
   );
 }
 
+/** How wide a cell of a line is, in pixels. */
+const cellWidth = 46;
+
+/** Whether the longest cycle is too short for a circle. */
+export const hasShortCycles = (symmetry: Symmetry): boolean =>
+  (cyclesOf(symmetry.map)[0]?.length ?? 0) < shortestRing;
+
+/**
+ * A line for each cycle, an element beside the next: the automorphism moves each one place on. The
+ * cycles are columns, or rows where these are too many for the width. Fixed elements stand last.
+ */
+function orbits(
+  symmetry: Symmetry,
+  block: readonly number[],
+  names: (x: number) => string,
+  lit: readonly number[],
+  wide: number,
+): HTMLElement {
+  const cycles = cyclesOf(symmetry.map);
+  const moved = cycles.filter((cycle) => cycle.length > 1);
+  const fixed = cycles.filter((cycle) => cycle.length === 1).flat();
+  const columns = Array.from({ length: moved[0]?.length ?? 0 }, (_, i) =>
+    moved.map((cycle) => cycle[i]),
+  );
+  const lines = wide > 0 && wide < moved.length * cellWidth ? moved : columns;
+  const inBlock = new Set(block);
+  const cell = (x: number | undefined): HTMLElement => {
+    if (x === undefined) {
+      return h('td', { class: 'none' });
+    }
+    const words = [inBlock.has(x) ? 'in' : '', lit.includes(x) ? 'lit' : ''].filter(Boolean);
+    return h('td', { class: words.join(' ') || null, 'data-x': x }, names(x));
+  };
+  return h(
+    'table',
+    { class: 'orbits' },
+    h('caption', { class: 'unseen' }, 'Cycle by cycle; elements of the block are filled'),
+    h(
+      'tbody',
+      {},
+      lines.map((line) => h('tr', {}, line.map(cell))),
+      fixed.length > 0 && h('tr', { class: 'fixed' }, fixed.map(cell)),
+    ),
+  );
+}
+
 export function circleView(
   symmetry: Symmetry,
   chosen: Chosen,
@@ -135,7 +184,8 @@ export function circleView(
   const { blocks } = chosen.design;
   const { shift, rotations, map } = symmetry;
   let turn = 0;
-  let which = shift <= mostDrawn ? 'all' : '0';
+  const short = hasShortCycles(symmetry);
+  let which = shift <= mostDrawn && !short ? 'all' : '0';
   const place = h('div', {
     class: 'circle-place',
     onclick: (event) => {
@@ -146,6 +196,7 @@ export function circleView(
     },
   });
   const said = h('p', { class: 'circle-says', role: 'status' });
+  const named = (x: number): string => indexed(chosen.name(x));
   const cycles = cyclesOf(map).filter((cycle) => cycle.length > 1);
   const shape =
     cycles.length === 0
@@ -176,14 +227,16 @@ export function circleView(
     const drawn = base.map((i) => i + turn * shift);
     fill(
       place,
-      circlePicture(
-        symmetry,
-        blocks,
-        (x) => chosen.name(x),
-        drawn,
-        chosen.elements,
-        Math.min(600, wide || 600),
-      ) as unknown as Node,
+      short
+        ? orbits(symmetry, blocks[drawn[0]!]!, named, chosen.elements, wide)
+        : (circlePicture(
+            symmetry,
+            blocks,
+            named,
+            drawn,
+            chosen.elements,
+            Math.min(600, wide || 600),
+          ) as unknown as Node),
     );
     const [first, last] = [number(drawn[0]! + 1), number(drawn.at(-1)! + 1)];
     const shown = drawn.length === 1 ? `block ${first}` : `blocks ${first} to ${last}`;
@@ -194,7 +247,7 @@ export function circleView(
     draw();
   };
   const options: [string, string][] = [
-    ...(shift <= mostDrawn ? ([['all', `all ${shift}`]] as [string, string][]) : []),
+    ...(shift <= mostDrawn && !short ? ([['all', `all ${shift}`]] as [string, string][]) : []),
     ...Array.from({ length: Math.min(shift, 200) }, (_, i): [string, string] => [
       String(i),
       String(i + 1),
@@ -206,15 +259,18 @@ export function circleView(
     panel,
     h(
       'div',
-      { class: 'circle-view' },
+      { class: short ? 'circle-view short' : 'circle-view' },
       h(
         'div',
         {},
         h(
           'p',
           { class: 'hint' },
-          `A rotation of the picture by one place is an automorphism: it maps every block to ` +
-            `the one ${count(shift, 'place')} later. ` +
+          (short
+            ? 'The elements, cycle by cycle; those of the block are filled. To move each one place on ' +
+              'along its cycle, the last to the first, is an automorphism: '
+            : 'A rotation of the picture by one place is an automorphism: ') +
+            `it maps every block to the one ${count(shift, 'place')} later. ` +
             `${shift === 1 ? 'One block makes' : `${number(shift)} base blocks make`} all ` +
             `${number(blocks.length)} in ${number(rotations)} turns; on the elements: ` +
             `${shape}${fixed > 0 ? `, ${count(fixed, 'fixed point')}` : ''}.`,

@@ -5,7 +5,7 @@ import { fill, h, type Child } from '../../lib/dom';
 import { cellDetail } from '../../lib/source';
 import { groupWords, orderWords, type Symmetry } from '../../lib/symmetry';
 import { termsOf } from '../../lib/terms';
-import { changeWord, count, number, setsOf } from '../../lib/words';
+import { changeWord, count, indexed, number, setsOf } from '../../lib/words';
 import type { Stays } from '../../parts/stays';
 import { badge } from '../../parts/status';
 import { link } from '../../shell/router';
@@ -22,13 +22,13 @@ const mostPaired = 2_000;
 const cellLink = ({ v, k, change, kind, strength }: Design): string =>
   link('cell', { v, k, change, kind, strength: strength === 2 ? null : strength });
 
-/** "12: newly covered again 2–5 (3×), 1–7 (2×), 0–3 and 4 more pairs". */
+/** "3: 3 pairs newly covered twice, 2–5, 1–7, 0–3"; "12: newly covered again 2–5 (3×), 0–3 and 4 more pairs". */
 function excessOf(design: Design): string | null {
   const { v, k, blocks, labels } = design;
   if ((design.strength ?? 2) !== 2 || v > mostPaired || blocks.length * k * k > mostCounted * 4) {
     return null;
   }
-  const name = (x: number): string => labels?.[x] ?? String(x);
+  const name = (x: number): string => indexed(labels?.[x] ?? String(x));
   const counts = timesOf(design);
   const again: [pair: number, times: number][] = [];
   counts.forEach((times, pair) => {
@@ -45,12 +45,17 @@ function excessOf(design: Design): string | null {
     .slice(0, mostNamed)
     .map(
       ([pair, times]) =>
-        `${name(Math.floor(pair / v))}–${name(pair % v)}${times > 2 ? `\u00a0(${times - 1}×)` : ''}`,
+        // No line ends within a pair.
+        `${name(Math.floor(pair / v))}\u2060–\u2060${name(pair % v)}${times > 2 ? `\u00a0(${times - 1}×)` : ''}`,
     );
   const left = again.length - named.length;
+  const twice = again[0]![1] === 2;
   return (
-    `${number(excess)}: newly covered again ${named.join(', ')}` +
-    (left > 0 ? ` and ${count(left, 'more pair')}` : '')
+    (twice
+      ? `${number(excess)}: ${count(again.length, 'pair')} newly covered twice, `
+      : `${number(excess)}: newly covered again `) +
+    named.join(', ') +
+    (left > 0 ? ` and ${twice ? `${number(left)} more` : count(left, 'more pair')}` : '')
   );
 }
 
@@ -93,8 +98,8 @@ function unchangedOf({ kind, blocks, k, change, v }: Design): string | null {
     }
   }
   return (
-    `${number(subsets.size)} different of ${count(k - change, 'element')}` +
-    `; at least ${number(disjoint)} are disjoint` +
+    `${number(subsets.size)} different ones, of ${count(k - change, 'element')} each; ` +
+    `${number(disjoint)} of them, or more, have no element in common` +
     (used.size === v ? ', an expansion set' : '')
   );
 }

@@ -6,7 +6,7 @@ import { symmetryOf } from '../../lib/symmetry';
 import { shortName } from '../../parts/recipe';
 import { thumbnail } from '../../parts/thumbnail';
 import { link } from '../../shell/router';
-import { circlePicture } from '../design/circle';
+import { circlePicture, hasShortCycles } from '../design/circle';
 
 /**
  * Pictures of examples are made when they come into sight, one after the other: on a circle if the
@@ -66,7 +66,11 @@ export class Gallery {
       }
       const design = await designOf(cell, this.signal);
       const symmetry = symmetryOf(design);
-      const turned = symmetry.rotations > 2 && symmetry.shift <= 6 && design.v <= 80;
+      const turned =
+        !hasShortCycles(symmetry) &&
+        symmetry.rotations > 2 &&
+        symmetry.shift <= 6 &&
+        design.v <= 80;
       const image = turned
         ? circlePicture(
             symmetry,
@@ -82,8 +86,8 @@ export class Gallery {
       image.removeAttribute('aria-label');
       fill(place, image as Node);
       this.captions.get(place)!.textContent = turned
-        ? 'base blocks on the circle of elements'
-        : 'a row an element, bars where it is in';
+        ? 'Base blocks on the circle of elements'
+        : 'A row of stays for each element';
     } catch {
       // The link is there all the same.
     }

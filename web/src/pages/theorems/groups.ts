@@ -73,7 +73,7 @@ export const groups: readonly (readonly [heading: string, entries: readonly Entr
       ['25', 'Settings of parameters of two values', 'bound'],
       ['26', 'What one of several benches must mount', 'bound'],
       ['27', 'Settings of parameters of three values', 'bound'],
-      ['28', 'How often the most expensive parts come', 'bound'],
+      ['28', 'How often the costliest parts come', 'bound'],
     ],
   ],
 ];

@@ -88,15 +88,62 @@ function reasons(report: Report): Child[] {
       h(
         'li',
         {},
-        `All elements are numbers but ${names.join(' and ')}: perhaps a slip of the hand.`,
+        `All elements are numbers but ${placesOfNames(report)}: perhaps a slip of the hand.`,
       ),
     );
   }
   return [h('ul', {}, list)];
 }
 
-export function headline(report: Report): HTMLElement {
+/** How many elements of the first block the last one lacks. */
+function changesAtEnd({ blocks: { b, k, blocks } }: Report): number {
+  const last = new Set(blocks.subarray((b - 1) * k));
+  return blocks.subarray(0, k).filter((x) => !last.has(x)).length;
+}
+
+/** A linear list that is a circular design, too: what that is worth, and a way to check it. */
+export function alsoCircular(report: Report, check: () => void): Child {
   const { answer, blocks } = report;
+  const { b, v, k, change: m, kind, strength, shown } = blocks;
+  if (!answer.valid || !shown || kind !== 'linear' || b < 3 || changesAtEnd(report) !== m) {
+    return null;
+  }
+  // Each step newly covers as many pairs; if all together are those that there are, each is once.
+  const tight = strength === 2 && b * m * (2 * k - m - 1) === v * (v - 1) && m < k;
+  return h(
+    'p',
+    {},
+    `The last block and the first differ in ${count(m, 'element')}, too, so it is also a ` +
+      `circular design${tight ? ', and a tight one' : ''}. `,
+    h('button', { type: 'button', class: 'plain small', onclick: check }, 'Take it as circular'),
+  );
+}
+
+/** The blocks in which names stand among numbers: " in block 7". */
+function placesOfNames({ answer, blocks: { shown, labels, blocks, k } }: Report): string {
+  const places = answer.names_among_numbers.map((name) => {
+    const x = labels?.indexOf(name) ?? -1;
+    const at = shown && x >= 0 ? blocks.indexOf(x) : -1;
+    return at < 0 ? name : `${name} in block ${number(Math.floor(at / k) + 1)}`;
+  });
+  return places.join(' and ');
+}
+
+export function headline(report: Report, circular: Child = null): HTMLElement {
+  const { answer, blocks } = report;
+  if (answer.valid && blocks.b === 1) {
+    return h(
+      'div',
+      { class: 'verdict valid', role: 'status' },
+      h('h2', { tabindex: -1 }, '✓ Valid, but trivial'),
+      h(
+        'p',
+        {},
+        `One block with all ${count(blocks.v, 'element')}: every two are together in it, and there ` +
+          'is no step. Is a list of blocks meant? Write one block a line.',
+      ),
+    );
+  }
   const name = `${nameOf(blocks)}${blocks.strength === 2 ? '' : ` of strength ${blocks.strength}`}`;
   return h(
     'div',
@@ -110,6 +157,7 @@ export function headline(report: Report): HTMLElement {
       `, with ${count(blocks.b, 'block')}.`,
     ),
     reasons(report),
+    circular,
   );
 }
 
