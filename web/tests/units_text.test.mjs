@@ -113,6 +113,14 @@ test('base blocks have the names of the design, and an origin is told once', asy
     'Develop the base blocks {0_0, 1_1}, {1_0, 0_1} over 2 copies of Z_2.',
   );
   assert.equal(told(text), text);
+  assert.equal(
+    told(
+      'Develop the base block {0,4} over 2 copies of Z_2 and a fixed element: 2j + i is i of copy ' +
+        'j, written i_j; 4 is fixed, written ∞.',
+      { labels: [...labels, '∞'] },
+    ),
+    'Develop the base block {0_0, ∞} over 2 copies of Z_2 and a fixed element ∞: i_j is i of copy j.',
+  );
   const alone = text.slice(0, text.indexOf(' Develop'));
   assert.equal(told(alone, { withoutOrigin: true }), '', 'all of it is told elsewhere');
   assert.deepEqual(['∞_0', '1_12', 'a_b', '7'].map(indexed), ['∞₀', '1₁₂', 'a_b', '7']);

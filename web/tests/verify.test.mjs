@@ -318,6 +318,22 @@ test('a list of triples is told in triples, and leads to what is known of them',
   );
 });
 
+test('a linear list that closes is told to be circular; one block is trivial', async (explorer) => {
+  const page = await explorer.open('#/verify');
+  await page.locator('textarea').fill('a b c\nb c d\nc d e\nd e a\ne a b\n');
+  await page.getByRole('button', { name: 'Check', exact: true }).click();
+  await page.locator('.verdict', { hasText: 'also a circular design, and a tight one' }).waitFor();
+  await page.getByRole('button', { name: 'Take it as circular' }).click();
+  await page.locator('.verdict strong', { hasText: 'circular single-change' }).waitFor();
+  const tight = page.locator('.verify-facts tr', { hasText: 'tight' }).first();
+  assert.match(await tight.textContent(), /^tightyes/);
+  await page.getByLabel('Kind').selectOption('');
+  await page.locator('textarea').fill('hello world this is not');
+  await page.getByRole('button', { name: 'Check', exact: true }).click();
+  await page.getByRole('heading', { name: 'Valid, but trivial' }).waitFor();
+  assert.equal(await page.locator('.bibtex').count(), 0);
+});
+
 test('the excess of a list with missing pairs is what is newly covered again', async (explorer) => {
   const page = await explorer.open('#/verify');
   await page.getByRole('link', { name: 'one with missing pairs' }).click();
