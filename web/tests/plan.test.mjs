@@ -114,7 +114,7 @@ test(
       );
     });
     await page.getByText('4 parts, 4 pasted').waitFor();
-    await page.getByText("not used: 'Vendor'").waitFor();
+    await page.getByText('not used: “Vendor”').waitFor();
     assert.equal(await nameOf(page, 1).inputValue(), 'Riesling');
     const field = (label) =>
       page
@@ -438,7 +438,7 @@ test('a part without a slot is named where the room is asked for', async (explor
   await page
     .getByLabel('A file with a list of parts')
     .setInputFiles(join(dirname(fileURLToPath(import.meta.url)), '../../examples/server.csv'));
-  await page.locator('.plan-news .note').waitFor();
+  await page.getByText('Read from server.csv.').waitFor();
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await page.getByText('NIC 10G has no slot, so say how many parts fit at once').waitFor();
 });

@@ -47,7 +47,7 @@ test(
     await briefly(page);
     await page.getByRole('button', { name: 'Plan', exact: true }).click();
     await planned(page);
-    await page.getByText(/\d+ tests, \d+ changes, cost \d+ minutes/).waitFor();
+    await page.getByText(/\d+ tests, \d+ changes, \d+ minutes/).waitFor();
     await page.getByText('on the clock').waitFor();
     for (const set of await setUps(page)) {
       assert.ok(!(set.includes('CX-6') && set.includes('PSU 800')), set);
@@ -328,7 +328,7 @@ test('three benches: a sheet each; a part is on one bench at a time', async (exp
   for (const bench of ['North', 'South', 'Night']) {
     await page.getByRole('heading', { name: bench }).first().waitFor();
   }
-  await page.getByText('day 1, 0:00').first().waitFor();
+  await page.getByText('day 1, 8:00').first().waitFor();
   assert.ok((await page.locator('.next-test').count()) >= 1);
   assert.equal(await page.getByText('What if').count(), 0, 'costs are compared on one bench only');
   // A test begins when the one before it on its bench ends or, where a bench waits for a part or a
@@ -499,9 +499,42 @@ test('benches are cards with all of their fields, and tests say when they begin 
   await page.getByRole('button', { name: /^South, test 1: begins day 1/ }).click();
   const row = page.locator('.bench-sheet', { hasText: 'South' }).locator('tbody tr').first();
   assert.ok(await row.evaluate((it) => it.contains(document.activeElement)));
-  await page.getByText(/hours of work on all benches together/).waitFor();
+  await page.getByText(/hours of work together/).waitFor();
   await page.setViewportSize({ width: 390, height: 844 });
   const when = page.locator('.run-sheet tbody .of-when').first();
   assert.match(await when.innerText(), /^day 1, \d+:\d\d · ends \d+:\d\d$/);
   assert.ok(await page.locator('.run-sheet tbody .of-sum').first().isHidden());
+});
+
+test('a part on two benches is said, one of each is a press away, and days begin when they do', async (explorer) => {
+  const page = await explorer.open('#/plan');
+  await page.getByRole('spinbutton', { name: 'How many parts' }).fill('6');
+  await page.getByRole('button', { name: 'numbered parts' }).click();
+  await page.getByRole('textbox', { name: 'Cost of a test' }).fill('3');
+  await open(page, 'Several benches');
+  await page.getByRole('button', { name: '2 alike' }).click();
+  await page.getByRole('textbox', { name: 'Hours of work a day' }).fill('8');
+  const room = page.getByRole('textbox', { name: 'How many parts fit on bench 1' });
+  assert.equal(await room.getAttribute('placeholder'), '3');
+  await briefly(page);
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await planned(page);
+  await page
+    .getByText(/: done on day \d+, \d+:\d\d: \d+ tests, \d+ changes, \d+ hours of/)
+    .waitFor();
+  await page.getByText(/A test takes 3 hours; putting a part in takes 1 hour/).waitFor();
+  const begins = page.locator('td.of-when').first();
+  assert.match(await begins.innerText(), /^day 1, 8:00/);
+  await page.getByLabel('Day begins at').fill('06:30');
+  await page.getByText('begins day 1, 6:30').first().waitFor();
+  assert.match(await begins.innerText(), /^day 1, 6:30/);
+  const twice = page.getByText(/The benches use two of .* at the same time/);
+  await twice.waitFor();
+  await page.getByRole('button', { name: 'I have one of each' }).click();
+  await twice.waitFor({ state: 'detached', timeout: 60_000 });
+  const many = page.getByRole('textbox', { name: 'How many there are of part 1' });
+  assert.equal(await many.inputValue(), '1');
+  // A later test first: what was passed over is said.
+  await press(page, 'Bench 1 2');
+  await page.getByText(/^Bench 1, test 1 has no result/).waitFor();
 });

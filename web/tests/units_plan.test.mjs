@@ -255,3 +255,89 @@ test('times of a day are hours and minutes, whatever the unit of costs, and long
   assert.deepEqual(of('minutes', 60), said);
   assert.deepEqual(of('seconds', 3600), said);
 });
+
+test('times of a plan as people say them: when days begin, and dates', async () => {
+  const { timeWords } = await load('pages/plan/times.ts');
+  const said = (begins, ...times) => times.map((time) => timeWords(time, begins));
+  assert.deepEqual(said('08:00', 'day 1, 0:00', 'day 2, 5:15'), ['day 1, 8:00', 'day 2, 13:15']);
+  assert.deepEqual(said('', 'day 1, 2:15'), ['day 1, after\u00a02:15\u00a0h']);
+  assert.deepEqual(said('08:30', '2026-12-04, 5:00'), ['Fri 4 Dec, 13:30']);
+  // Of a bench that works day and night.
+  assert.deepEqual(said('08:00', 'day 1, 16:00', 'day 1, 20:00', '2026-12-31, 17:05'), [
+    'day 1, 24:00',
+    'day 2, 4:00',
+    'Fri 1 Jan, 1:05',
+  ]);
+  assert.deepEqual(said('00:00', 'day 3, 0:00'), ['day 3, 0:00']);
+  assert.deepEqual(said('08:00', '37 hours'), ['37 hours']);
+});
+
+test('parts that two benches have at one time, where nobody said how many there are', async () => {
+  const { piecesInWords, severalOf } = await load('pages/plan/shared.ts');
+  const { emptyBench, emptyJob, partOf } = await load('pages/plan/job.ts');
+  const tests = [
+    ['A', 'Fan Pump', [0, 2]],
+    ['A', 'Fan Motor', [2, 4]],
+    ['A', 'Pump Motor', [4, 6]],
+    ['B', 'Motor Valve', [0, 2]],
+    ['B', 'Fan Valve', [3, 5]],
+    ['C', 'Fan Valve', [3, 4]],
+  ].map(([bench, parts, span]) => ({ bench, parts: parts.split(' '), span }));
+  const parts = ['Fan', 'Pump', 'Motor', 'Valve'].map((name) => partOf(name));
+  const benches = [{ ...emptyBench(), name: 'C' }];
+  const of = (job) => severalOf({ ...emptyJob(), parts, benches, ...job }, { benches, tests });
+  // The motor leaves B when it comes to A.
+  const several = of({});
+  assert.deepEqual(several, [
+    ['Fan', 3],
+    ['Valve', 2],
+  ]);
+  assert.equal(piecesInWords(several), 'three of Fan; two of Valve');
+  assert.deepEqual(of({ benches: [{ ...benches[0], own: 'Valve, Fan' }] }), [['Fan', 2]]);
+  assert.deepEqual(of({ parts: [partOf('Fan', null, '', 1), ...parts.slice(1)] }), []);
+});
+
+test('tests that were passed over are named', async () => {
+  const { skippedWords } = await load('pages/plan/skipped.ts');
+  const of = (...results) =>
+    skippedWords({ tests: results.map((result) => ({ bench: null, result, parts: [] })) });
+  assert.equal(of('pass', '', ''), '');
+  assert.match(of('', 'fail', ''), /^Test 1 has no result, but a later test has one\. Was it /);
+  assert.match(of('', '', 'pass'), /^Test 1; test 2 have no result/);
+  assert.equal(of('not run', 'pass'), '');
+});
+
+test('why two parts never meet, after a comma, a colon or in brackets', async () => {
+  const { neverRows } = await load('pages/plan/document.ts');
+  const { emptyJob, partOf } = await load('pages/plan/job.ts');
+  const parts = ['Boiler S', 'Boiler L', 'Hose: long', 'Cap (red)'].map((name) => partOf(name));
+  const of = (never, more = {}) => neverRows({ ...emptyJob(), parts, never, ...more });
+  assert.deepEqual(of('Boiler S, Boiler L: one at a time'), [
+    ['Boiler S', 'Boiler L', 'one at a time'],
+  ]);
+  assert.deepEqual(of('Boiler S, Boiler L (one, at a time)'), [
+    ['Boiler S', 'Boiler L', 'one, at a time'],
+  ]);
+  assert.deepEqual(of('Boiler S, Hose: long\nBoiler L, Cap (red), hot'), [
+    ['Boiler S', 'Hose: long'],
+    ['Boiler L', 'Cap (red)', 'hot'],
+  ]);
+  assert.deepEqual(of('Boiler S, Boiler X: no such'), [['Boiler S', 'Boiler X: no such']]);
+  const model = { source: 'model', parts: [], model: 'OS: Mac, Linux\nDisk: c, d' };
+  assert.deepEqual(of('Mac, d: never', model), [['Mac', 'd', 'never']]);
+});
+
+test('how a list was read, below it, and the unit that its heading names', async () => {
+  const { othersOf, readFrom, readWords, unitIn } = await load('pages/plan/document.ts');
+  const note = "parts: the first row is a header: names in 'name', change costs in 'hours'";
+  assert.equal(
+    readWords(note),
+    'First row taken as headings: names in “name”, change costs in “hours”.',
+  );
+  assert.equal(unitIn([note]), 'hours');
+  assert.equal(unitIn([note.replace('hours', 'Cost (min)')]), 'minutes');
+  assert.equal(unitIn([note.replace('hours', 'change cost')]), null);
+  assert.deepEqual(readFrom('a.csv', [note, 'done: more']).length, 2);
+  assert.deepEqual(readFrom('a.txt', ['a.txt: the model']), ['Read from a.txt.']);
+  assert.deepEqual(othersOf('a.csv', [note, 'done: more', 'a.csv: slots']), ['a.csv: more']);
+});

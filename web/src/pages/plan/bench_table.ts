@@ -2,7 +2,11 @@
 import { emptyBench, type Bench } from './job';
 import { rowsTable } from './rows';
 
-export function benchTable(touched: () => void): ReturnType<typeof rowsTable<Bench>> {
+/** `usual`: what a bench has where its own field is empty. */
+export function benchTable(
+  touched: () => void,
+  usual: { hours: () => string; room: () => string; testCost: () => string },
+): ReturnType<typeof rowsTable<Bench>> {
   return rowsTable<Bench>(
     'Benches',
     [
@@ -12,14 +16,14 @@ export function benchTable(touched: () => void): ReturnType<typeof rowsTable<Ben
         title: 'hours a day',
         label: 'Hours a day of bench',
         kind: 'number',
-        placeholder: 'as below',
+        placeholder: usual.hours,
       },
       {
         key: 'atOnce',
         title: 'room',
         label: 'How many parts fit on bench',
         kind: 'number',
-        placeholder: 'as above',
+        placeholder: usual.room,
         hint: 'How many parts fit there, if not as many as everywhere',
       },
       {
@@ -66,7 +70,7 @@ export function benchTable(touched: () => void): ReturnType<typeof rowsTable<Ben
         title: 'test costs',
         label: 'Test cost of bench',
         kind: 'number',
-        placeholder: 'as above',
+        placeholder: usual.testCost,
         rare: true,
       },
       {

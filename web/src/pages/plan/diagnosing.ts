@@ -75,6 +75,7 @@ export class Diagnosing {
             : [],
         ),
         partWords(outcome),
+        outcome.tests.some(({ values }) => values) ? 'values' : 'parts',
         () => (this.forget(), this.asks.add(diagnosis.next!)),
         (faults) => (this.forget(), this.asks.forbid(faults)),
       ),

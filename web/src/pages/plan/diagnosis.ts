@@ -4,6 +4,8 @@ import { h, type Child } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 
 type Name = (fault: readonly string[]) => string;
+/** What can be at fault: parts, or values of a model. */
+type Kind = 'parts' | 'values';
 
 /** So few explanations are named; of more it is said how many there are. */
 const fewNamed = 2;
@@ -24,14 +26,20 @@ function explained(
   return h('li', {}, `${label}, ${explained}${some}.`);
 }
 
-/** How many faults there must be, and what is called an explanation below. */
-function whatIsNew(found: Diagnosis): Child[] {
+/** How many faults there must be, and how many ways there are to explain the failures. */
+function whatIsNew(found: Diagnosis, kind: Kind): Child[] {
   const { at_least: least, explanations_known: known } = found;
   if (known === 0) {
     return [];
   }
-  const all = found.failed === 2 ? 'both failures' : 'all failures';
+  const all =
+    found.failed === 1 ? 'the failure' : found.failed === 2 ? 'both failures' : 'all failures';
+  const [one, some] =
+    kind === 'values'
+      ? ['value or pair of values', 'values and pairs']
+      : ['part or pair', 'parts and pairs'];
   const many = `${found.all_explanations ? '' : 'at least '}${number(known)}`;
+  const alone = known === 1 && found.all_explanations;
   return [
     h(
       'p',
@@ -40,19 +48,20 @@ function whatIsNew(found: Diagnosis): Child[] {
         'strong',
         {},
         least === 1
-          ? `One part or pair alone explains ${found.failed === 1 ? 'the failure' : all}.`
+          ? `One ${one} alone explains ${all}.`
           : least === 2
-            ? `No single part or pair explains ${all}, so at least two are at fault.`
-            : `No ${least - 1} parts and pairs explain ${all}, so at least ${least} are at fault.`,
+            ? `No single ${one} explains ${all}, so at least two are at fault.`
+            : `No ${least - 1} ${some} explain ${all}, so at least ${least} are at fault.`,
+        !alone &&
+          (least === 1
+            ? ` ${many[0]!.toUpperCase()}${many.slice(1)} do so equally well.`
+            : ` ${many[0]!.toUpperCase()}${many.slice(1)} sets of ${least} do so.`),
       ),
     ),
     h(
       'p',
       { class: 'hint' },
-      'An explanation names parts and pairs at fault: every test that failed had one of them, ' +
-        `and no test that passed did. Of the smallest, with ${
-          least === 1 ? 'one of them' : `${least} of them`
-        }, there ${known === 1 && found.all_explanations ? 'is' : 'are'} ${many}.`,
+      `Every test that failed had ${least === 1 ? 'it' : 'one of them'}, and no test that passed.`,
     ),
   ];
 }
@@ -103,6 +112,7 @@ export function diagnosisPanel(
   found: Diagnosis,
   failed: readonly FailedTest[],
   words: (part: string) => string,
+  kind: Kind,
   add: () => void,
   forbid: (faults: string[][]) => void,
 ): HTMLElement {
@@ -119,7 +129,7 @@ export function diagnosisPanel(
     proven.length > 0
       ? h('p', {}, h('strong', {}, `At fault, proven: ${proven.map(name).join('; ')}.`))
       : null,
-    ...(proven.length > 0 ? [] : whatIsNew(found)),
+    ...(proven.length > 0 ? [] : whatIsNew(found, kind)),
     suspects.length > 0 ? suspectsBy(failed, suspects, name) : null,
     found.contradictions.length > 0
       ? h(

@@ -55,6 +55,22 @@ function listed(list: string, job: Job): string[][] {
 }
 
 /**
+ * Pairs that must never meet, with why behind them: after a comma, or after a colon or in brackets
+ * if no part has that in its name.
+ */
+export function neverRows(job: Job): string[][] {
+  const names = new Set(job.parts.map(({ name }) => name));
+  const known = (name: string) =>
+    job.source === 'model' ? job.model.includes(name) : names.has(name);
+  return listed(job.never, job).map(([one = '', other = '', ...why]) => {
+    const [, name = '', reason = ''] = /^(.*?\S)\s*[:(]\s*(.*)$/.exec(other) ?? [];
+    return name === '' || known(other) || !known(name)
+      ? [one, other, ...why]
+      : [one, name, ...[[reason, ...why].join(', ').replace(/^([^(]*)\)$/, '$1')].filter(Boolean)];
+  });
+}
+
+/**
  * The document, without the tests that were done. @throws Error with a line that can be shown, for
  * what the form itself can tell.
  */
@@ -74,7 +90,7 @@ export function requestOf(job: Job): Request {
     change_cost: job.changeCost,
     ...Object.fromEntries(
       Object.entries(lists).flatMap(([key, rows]) =>
-        rows.trim() === '' ? [] : [[key, listed(rows, job)]],
+        rows.trim() === '' ? [] : [[key, key === 'never' ? neverRows(job) : listed(rows, job)]],
       ),
     ),
     ...(onBenches ? { first: { text: `${job.first}\n` } } : {}),
@@ -211,8 +227,8 @@ export function jobOf(request: Request, job: Job): Job {
       model: typeof request.model === 'string' ? request.model : rows(request.model),
     });
   } else if (Array.isArray(request.parts)) {
-    const { title, testCost, changeCost, seconds, benches, objective, hours, firstDay, weekends } =
-      job;
+    const { title, testCost, changeCost, seconds, benches, objective } = job;
+    const { hours, firstDay, dayBegins, weekends } = job;
     Object.assign(next, empty, {
       title,
       testCost,
@@ -222,6 +238,7 @@ export function jobOf(request: Request, job: Job): Job {
       objective,
       hours,
       firstDay,
+      dayBegins,
       weekends,
     });
     next.parts = request.parts.map((part) => {
@@ -328,6 +345,47 @@ export function keyIn(message: string): string | null {
     null
   );
 }
+
+/** Whether a note is of how the list of parts was read. */
+const ofList = (note: string): boolean => /^parts: .*(header|not used)/.test(note);
+
+/** A note on how a list was read, as it stands below that list. */
+export function readWords(note: string): string {
+  const words = note
+    .replace(/^parts: /, '')
+    .replace(/^the first row is a header: /, 'First row taken as headings: ')
+    .replace(/'([^']*)'/g, '“$1”');
+  return `${words[0]?.toUpperCase() ?? ''}${words.slice(1)}${/[.!?]$/.test(words) ? '' : '.'}`;
+}
+
+/** What is said of a file below the list or the model that was read from it. */
+export function readFrom(file: string, notes: readonly string[]): string[] {
+  const what = notes.find((note) => note.startsWith(`${file}: `))?.slice(file.length + 2);
+  const words = what === undefined || what === 'the model' ? '' : `: ${what}`;
+  return [`Read from ${file}${words}.`, ...notes.filter(ofList).map(readWords)];
+}
+
+/** What else is to be said of it. */
+export function othersOf(file: string, notes: readonly string[]): string[] {
+  return notes
+    .filter((note) => !ofList(note) && !note.startsWith(`${file}: `))
+    .map((note) => note.replace(/^(parts|done)(?=[:\s])/, file));
+}
+
+/** The unit that the heading of the costs names; null: none. */
+export function unitIn(notes: readonly string[]): Unit | null {
+  const heading = notes.map((note) => /change costs in '([^']*)'/.exec(note)?.[1]).find(Boolean);
+  const found = (Object.entries(unitNames) as [Unit, RegExp][]).filter(([, names]) =>
+    names.test(heading ?? ''),
+  );
+  return found.length === 1 ? found[0]![0] : null;
+}
+
+const unitNames = {
+  seconds: /\b(s|secs?|seconds?|sekunden?)\b/i,
+  minutes: /\b(min|mins|minutes?|minuten?)\b/i,
+  hours: /\b(h|hrs?|hours?|stunden?)\b/i,
+};
 
 /** The message in the words of the form. */
 export function inWords(message: string): string {

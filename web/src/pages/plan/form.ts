@@ -4,7 +4,6 @@ import { count } from '../../lib/words';
 import {
   cells,
   decimal,
-  emptyBench,
   emptyJob,
   FieldFault,
   namesIn,
@@ -17,7 +16,7 @@ import {
 } from './job';
 import { group as folded, type Group } from '../../parts/group';
 import { lead } from '../../parts/lead';
-import { benchTable } from './bench_table';
+import { benchFields } from './bench_fields';
 import { partsGrid } from './parts';
 import { rowsTable } from './rows';
 import { reword } from './wording';
@@ -52,22 +51,27 @@ export interface Form {
   /** @throws Error with a line that can be shown. */
   read(): Job;
   set(job: Job): void;
+  /** Says below a list how it was read; `unit`: what its costs are, unless that is said already. */
+  told(notes: readonly string[], unit: Unit | null): void;
   /** Shows the choice whether what met only in failed tests counts as tested. */
   trust(): void;
   /** Puts the element below the field of a key of the document; false if that is not to be seen. */
   show(key: string, element: HTMLElement): boolean;
 }
 
-/** `reads` makes parts of what was pasted, or says why it cannot. */
+/**
+ * `reads` makes parts of what was pasted, or says why it cannot; `retimed` hears when days begin.
+ */
 export function jobForm(
   changed: () => void,
   submitted: () => void,
   reads: (text: string) => Promise<Part[] | null>,
   pickFile: () => void,
+  retimed: (dayBegins: string) => void,
 ): Form {
   let source: Job['source'] = 'parts';
   const groups: Record<string, Group> = {};
-  const touched = () => (Object.values(groups).forEach((group) => group.refresh()), changed());
+  const touched = () => (refresh(), changed());
   const line = (placeholder: string) =>
     h('input', {
       type: 'text',
@@ -81,12 +85,18 @@ export function jobForm(
   const cost = () =>
     h('input', { type: 'text', inputmode: 'decimal', class: 'cost', oninput: touched });
 
+  /** What is said of a list or a model that was read, below it. */
+  const told = {
+    parts: h('div', { class: 'told', role: 'status' }),
+    model: h('div', { class: 'told', role: 'status' }),
+  };
   const grid = partsGrid(touched, reads, namedSlots);
   const slotNames = h('datalist', { id: 'slot-names' });
   const model = area(
     'OS: Debian, Windows 11\nBrowser: Firefox, Chrome, Edge\n\nIF [Browser] = "Edge" THEN [OS] ' +
       '= "Windows 11";',
   );
+  model.addEventListener('input', () => fill(told.model));
   const title = h('input', { type: 'text', oninput: touched });
   /** Whether the room was said, and is not what every new job begins with. */
   let ownRoom = false;
@@ -125,15 +135,10 @@ export function jobForm(
   const budget = cost();
   const trustFailed = h('input', { type: 'checkbox', onchange: touched });
   const changeCosts = area('');
-  const benches = benchTable(touched);
-  const objective = select(
-    '',
-    [
-      ['', 'done as early as possible'],
-      ['cost', 'least cost together'],
-    ],
-    touched,
-  );
+  const benches = benchFields(touched, retimed, {
+    room: () => atOnce.value || 'by slots',
+    testCost: () => testCost.value,
+  });
   const aim = select(
     '',
     [
@@ -142,15 +147,6 @@ export function jobForm(
     ],
     touched,
   );
-  const hours = h('input', {
-    type: 'text',
-    inputmode: 'decimal',
-    class: 'cost',
-    placeholder: 'no end',
-    oninput: touched,
-  });
-  const firstDay = h('input', { type: 'date', onchange: touched });
-  const weekends = h('input', { type: 'checkbox', onchange: touched });
   const many = h('input', {
     type: 'number',
     min: 2,
@@ -158,7 +154,26 @@ export function jobForm(
     placeholder: '12',
     'aria-label': 'How many parts, to be called 1, 2, 3, …',
   });
+  const aimField = field('Aim', aim);
   const go = h('button', { type: 'submit' }, 'Plan');
+  const inBar = h('span', { class: 'plan-bar-said' });
+  function showAim(): void {
+    // Several benches have an aim of their own.
+    aimField.hidden = source !== 'model' || benches.benches().length > 0;
+  }
+  function refresh(): void {
+    Object.values(groups).forEach((group) => group.refresh());
+    benches.refresh();
+    showAim();
+    inBar.textContent = barWords();
+  }
+  /** What is planned, as far as it can be told while it is written. */
+  function barWords(): string {
+    const n = source === 'parts' ? grid.names().length : 0;
+    const several = benches.said();
+    const room = atOnce.value === '' ? '' : `${atOnce.value} at once`;
+    return n === 0 ? several : join(count(n, 'part'), room, several);
+  }
 
   /**
    * Slots that parts are of hold one part each until their limits are written: a slot that is named
@@ -232,7 +247,11 @@ export function jobForm(
     field('Tested together', strength),
     field('Pairs', pairMode),
     pairsField,
-    field('Must never be in one set-up', never, 'two a line, and why if you like: it is printed'),
+    field(
+      'Must never be in one set-up',
+      never,
+      'two a line; after a comma or a colon why, which is printed',
+    ),
   );
   const mounting = group(
     'mounted',
@@ -263,67 +282,7 @@ export function jobForm(
     field('Set-ups to run first, one a line', first),
     check(trustFailed, 'What met only in failed tests counts as tested'),
   );
-  const benchParts = h(
-    'span',
-    {},
-    'In the parts list, “how many” says how many there are of a part; a part is on one bench at ' +
-      'a time.',
-  );
-  const benchValues = h('span', { hidden: true }, 'A bench “cannot have” values of the model.');
-  const severalBenches = group(
-    'benches',
-    'Several benches',
-    () => {
-      const named = benches.read();
-      return named.length === 0
-        ? ''
-        : join(
-            count(named.length, 'bench', 'benches'),
-            hours.value.trim() === '' ? '' : `${hours.value.trim()} h a day`,
-          );
-    },
-    h(
-      'p',
-      { class: 'hint' },
-      'A card for each bench, with what is different there; a new one begins with its name. ',
-      benchParts,
-      benchValues,
-    ),
-    h(
-      'div',
-      { class: 'row' },
-      ...[2, 3, 4].map((n) =>
-        h(
-          'button',
-          {
-            type: 'button',
-            class: 'plain small',
-            onclick: () => (
-              benches.set(
-                Array.from({ length: n }, (_, i) => ({ ...emptyBench(), name: `Bench ${i + 1}` })),
-              ),
-              touched()
-            ),
-          },
-          `${n} alike`,
-        ),
-      ),
-      h(
-        'button',
-        { type: 'button', class: 'plain small', onclick: () => (benches.set([]), touched()) },
-        'One bench',
-      ),
-    ),
-    benches.element,
-    h(
-      'div',
-      { class: 'row' },
-      field('Aim of several benches', objective),
-      field('Hours of work a day', hours),
-      field('First day', firstDay),
-      check(weekends, 'Weekends too'),
-    ),
-  );
+  const severalBenches = group('benches', 'Several benches', benches.said, ...benches.content);
   const replacing = group(
     'change_costs',
     'Costs by what is replaced',
@@ -345,13 +304,18 @@ export function jobForm(
       'Type names, or paste a table from a spreadsheet into the first field.',
     ),
     grid.element,
+    told.parts,
     h(
       'div',
       { class: 'row list-tools' },
       h('button', { type: 'button', class: 'plain', onclick: pickFile }, 'Open a file …'),
       h(
         'button',
-        { type: 'button', class: 'plain', onclick: () => (grid.set([]), touched()) },
+        {
+          type: 'button',
+          class: 'plain',
+          onclick: () => (grid.set([]), fill(told.parts), touched()),
+        },
         'Clear the list',
       ),
       h(
@@ -385,8 +349,9 @@ export function jobForm(
       'div',
       { class: 'row' },
       h('button', { type: 'button', class: 'plain', onclick: pickFile }, 'Open a file …'),
-      field('Aim', aim, 'several benches have their own, below'),
+      aimField,
     ),
+    told.model,
   );
   const choices = (['parts', 'model'] as const).map((name) => {
     const input = h('input', {
@@ -406,12 +371,11 @@ export function jobForm(
     choices.forEach(([input]) => (input.checked = input.value === next));
     partsSection.hidden = next !== 'parts';
     modelSection.hidden = next !== 'model';
-    benchParts.hidden = next !== 'parts';
-    benchValues.hidden = next !== 'model';
     reword(next, { changeCost, unit, never, mounted, start, first });
     mounting.querySelector('.group-name')!.textContent =
       next === 'parts' ? 'What is mounted' : 'Fixed values';
-    benches.element.classList.toggle('of-model', next === 'model');
+    benches.reword(next);
+    showAim();
     atOnceField.hidden = next !== 'parts';
     replacing.querySelector('.group-name')!.textContent =
       next === 'parts' ? 'Costs by what is replaced' : 'Costs of values';
@@ -456,16 +420,16 @@ export function jobForm(
           field('Title of the sheet', title),
           field('Time to search', seconds),
         ),
-        h('div', { class: 'row' }, go),
-        h('h2', { class: 'more-rules' }, 'Options'),
-        onlyParts[0]!,
-        meeting,
-        mounting,
-        severalBenches,
-        order,
-        replacing,
       ),
     ),
+    h('h2', { class: 'more-rules' }, 'Options'),
+    h(
+      'div',
+      { class: 'plan-options' },
+      h('div', {}, onlyParts[0]!, meeting, mounting),
+      h('div', {}, severalBenches, order, replacing),
+    ),
+    h('div', { class: 'plan-bar' }, go, inBar),
   );
   /** What each key of a request is written into. */
   const controls: Record<string, HTMLElement> = {
@@ -487,10 +451,7 @@ export function jobForm(
     budget,
     weights,
     first,
-    benches: benches.element,
-    hours,
-    first_day: firstDay,
-    objective,
+    ...benches.controls,
     change_costs: changeCosts,
   };
 
@@ -522,12 +483,8 @@ export function jobForm(
         weights: weights.value,
         budget: budget.value,
         changeCosts: changeCosts.value,
-        benches: benches.read(),
-        objective: (source === 'model' && benches.read().length === 0 ? aim : objective)
-          .value as Job['objective'],
-        hours: hours.value,
-        firstDay: firstDay.value,
-        weekends: weekends.checked,
+        ...benches.read(),
+        objective: aimField.hidden ? benches.aim() : (aim.value as Job['objective']),
         trustFailed: trustFailed.checked,
         seconds: Number(seconds.value),
       };
@@ -535,7 +492,7 @@ export function jobForm(
     set(job) {
       slots.set(job.slots);
       grid.set(job.parts);
-      benches.set(job.benches);
+      benches.set(job);
       const texts = {
         model,
         title,
@@ -547,8 +504,6 @@ export function jobForm(
         weights,
         budget,
         changeCosts,
-        hours,
-        firstDay,
       };
       for (const [key, control] of Object.entries(texts)) {
         control.value = job[key as keyof typeof texts];
@@ -559,9 +514,7 @@ export function jobForm(
       unit.value = job.unit;
       strength.value = String(job.strength);
       pairMode.value = job.pairMode;
-      objective.value = job.objective === 'cost' ? 'cost' : '';
       aim.value = job.objective === 'tests' ? 'tests' : '';
-      weekends.checked = job.weekends;
       trustFailed.checked = job.trustFailed;
       seconds.value = times.some(([value]) => value === String(job.seconds))
         ? String(job.seconds)
@@ -569,7 +522,19 @@ export function jobForm(
       ownRoom = job.atOnce !== null && job.atOnce !== emptyJob().atOnce;
       namedSlots([...new Set(job.parts.map(({ slot }) => slot))].filter((slot) => slot !== ''));
       setSource(job.source);
-      Object.values(groups).forEach((each) => each.refresh());
+      refresh();
+      fill(told.parts);
+      fill(told.model);
+    },
+    told(notes, named) {
+      fill(
+        told[source],
+        notes.map((note) => h('p', { class: 'hint' }, note)),
+      );
+      if (named && unit.value === '') {
+        unit.value = named;
+        told[source].append(h('p', { class: 'hint' }, `Costs are ${named}, as its heading says.`));
+      }
     },
     trust() {
       groups['budget']!.element.open = true;

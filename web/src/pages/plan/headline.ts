@@ -5,8 +5,12 @@ import { exact, moneyOf, type Job } from './job';
 import { clockOf } from './sheet';
 import { namesOf, repeated, testName, verdictOf, type Outcome } from './outcome';
 import { whyNotLess } from './reasons';
+import { piecesInWords, severalOf } from './shared';
+import { timeWords } from './times';
 
-export function gapInWords(cost: number, bound: number, money: (cost: number) => string): string {
+type Money = (cost: number) => string;
+
+export function gapInWords(cost: number, bound: number, money: Money): string {
   if (exact(cost) <= exact(bound)) {
     return 'No plan is cheaper: this is the lower bound.';
   }
@@ -19,40 +23,41 @@ export function gapInWords(cost: number, bound: number, money: (cost: number) =>
   );
 }
 
-function gap(outcome: Outcome, money: (cost: number) => string): string {
-  const { budget, benches, cost, bound, met, finish } = outcome;
+/** What a plan is judged by: when its last test ends, or else what all of it costs. */
+const isEarly = (job: Job, { benches }: Outcome): boolean =>
+  benches !== null && job.objective !== 'cost';
+
+function gap(job: Job, outcome: Outcome, money: Money): string {
+  const { budget, cost, bound, met, soonest, unit } = outcome;
   if (budget !== null && met.tested < met.needed) {
     return (
       `The budget of ${money(budget)} pays for ${number(met.tested)} of ` +
       `${number(met.needed)} ${met.what}.`
     );
   }
-  if (!benches) {
-    return gapInWords(cost, bound, money);
-  }
   const words = gapInWords(cost, bound, money);
-  if (outcome.together === cost && benches.length === 1) {
-    return words;
+  if (!isEarly(job, outcome)) {
+    return unit ? timed(words, unit) : words;
   }
-  // When the last test ends, and how much work there is on all benches, are two things.
-  const unit = outcome.unit ?? (finish ? 'hours' : null);
-  const end = finish
-    ? `on ${finish}`
-    : unit
-      ? `${money(cost)} ${unit} after the start`
-      : `at ${money(cost)}, with costs as times`;
-  const sooner = words
+  return words
     .replace('No plan is cheaper', 'No plan is done earlier')
     .replace(/No plan costs less than (\S+),/, (_, least: string) =>
-      outcome.soonest
-        ? `No plan is done before ${outcome.soonest},`
+      soonest
+        ? `No plan is done before ${timeWords(soonest, job.dayBegins)},`
         : unit
           ? `No plan is done in less than ${least} ${unit},`
           : `No plan is done before ${least},`,
     )
     .replace('so this one is at most', 'so this one takes at most')
     .replace('above the least possible', 'longer than the least possible');
-  return `The last test ends ${end}. ${sooner}`;
+}
+
+/** The same of costs that are times. */
+function timed(words: string, unit: string): string {
+  return words
+    .replace('No plan is cheaper', 'No plan takes less')
+    .replace(/No plan costs less than (\S+),/, `No plan takes less than $1 ${unit},`)
+    .replace('How little it could cost', 'How little it could take');
 }
 
 /** What is to be tested, in a few words; empty if nothing is there yet. */
@@ -67,14 +72,21 @@ export function inShort(job: Job, benches = 0): string {
         `${benches > 0 ? `, ${count(benches, 'bench', 'benches')}` : ''}`;
 }
 
-/** What a change costs, with what says it first. */
-function changing(job: Job, cost: string): string {
+/** What a test and a change cost, with what says it first. */
+function costWords(job: Job, { testCost, changeCost, unit }: Outcome, money: Money): string {
+  const costs = unit ? 'takes' : 'costs';
+  const of = (cost: number) =>
+    unit ? count(cost, unit.slice(0, -1), unit).replace(/^\S+/, money(cost)) : money(cost);
   const byRow = job.changeCosts.trim() !== '' ? 'what its row of costs says, else ' : '';
+  const test = `A test ${costs} ${of(testCost)}; `;
   if (job.source === 'model') {
-    return `setting another value costs ${byRow}${cost}`;
+    return `${test}setting another value ${costs} ${byRow}${of(changeCost)}.`;
   }
   const byPart = job.parts.some((part) => part.cost !== null) ? 'what the list says, else ' : '';
-  return `putting a part in costs ${byRow}${byPart}${cost}; taking out is free`;
+  return (
+    `${test}putting a part in ${costs} ${byRow}${byPart}${of(changeCost)}; taking out ` +
+    `${unit ? 'takes no time' : 'is free'}.`
+  );
 }
 
 /** Why a test is there that failed before. `trust` leads to the choice. */
@@ -107,9 +119,53 @@ function again(job: Job, outcome: Outcome, trust: () => void): Child[] {
   ];
 }
 
-/** `trust` leads to the choice whether failed tests count. */
-export function headline(job: Job, outcome: Outcome, trust: () => void): HTMLElement {
-  const rest = outcome.tests.length - outcome.doneBefore;
+/** What it comes to: what is wanted first stands first. */
+function comesTo(job: Job, outcome: Outcome, money: Money): string {
+  const { benches, unit, finish, together, cost, changes } = outcome;
+  const tests = count(outcome.tests.length - outcome.doneBefore, 'test');
+  const several = (benches?.length ?? 0) > 1 ? ' together' : '';
+  const size = `${tests}, ${count(changes, 'change')}`;
+  const whole = benches ? together : cost;
+  const work = unit
+    ? `${money(whole)} ${unit}${benches ? ' of work' : ''}${several}`
+    : `cost ${money(whole)}${several}`;
+  const ends = finish
+    ? `done on ${timeWords(finish, job.dayBegins)}`
+    : unit
+      ? `done after ${money(cost)} ${unit}`
+      : `done at ${money(cost)}, with costs as times`;
+  return isEarly(job, outcome)
+    ? `${ends}: ${size}, ${work}`
+    : `${size}, ${work}${benches && finish ? `, ${ends}` : ''}`;
+}
+
+/** Who has one of each cannot run a plan with a part on two benches. */
+function needsSeveral(job: Job, outcome: Outcome, oneOfEach: () => void): HTMLElement | null {
+  const several = severalOf(job, outcome);
+  return several.length === 0
+    ? null
+    : h(
+        'p',
+        { class: 'needs-several' },
+        `The benches use ${piecesInWords(several)} at the same time. If there are fewer, write `,
+        'under “how many” what there is. ',
+        h(
+          'button',
+          { type: 'button', class: 'plain small no-print', onclick: oneOfEach },
+          'I have one of each',
+        ),
+      );
+}
+
+export interface Leads {
+  /** To the choice whether failed tests count. */
+  trust(): void;
+  /** To a plan for which there is one of each part. */
+  oneOfEach(): void;
+}
+
+export function headline(job: Job, outcome: Outcome, leads: Leads): HTMLElement {
+  const { doneBefore, met } = outcome;
   const money = moneyOf([
     outcome.testCost,
     outcome.changeCost,
@@ -119,9 +175,11 @@ export function headline(job: Job, outcome: Outcome, trust: () => void): HTMLEle
     ...outcome.tests.map(({ cost }) => cost),
   ]);
   const clock = clockOf(outcome.unit);
-  const several = (outcome.benches?.length ?? 0) > 1;
   const what = inShort(job, outcome.benches?.length) || count(0, 'part');
-  const whole = outcome.benches ? outcome.together : outcome.cost;
+  // How many are done is said already.
+  const notes = outcome.notes.filter(
+    (note) => doneBefore === 0 || !/done and stays?\.$/.test(note),
+  );
   return h(
     'div',
     { class: 'verdict valid' },
@@ -129,41 +187,38 @@ export function headline(job: Job, outcome: Outcome, trust: () => void): HTMLEle
     h(
       'p',
       {},
-      outcome.doneBefore > 0
-        ? `${count(outcome.doneBefore, 'test')} done; for the rest: `
-        : `${what}: `,
-      h(
-        'strong',
-        {},
-        `${count(rest, 'test')}, ${count(outcome.changes, 'change')}, ` +
-          (several && outcome.unit
-            ? `${money(whole)} ${outcome.unit} of work on all benches together`
-            : `cost ${money(whole)}${outcome.unit ? ` ${outcome.unit}` : ''}`) +
-          (several && !outcome.unit ? ' of all benches together' : ''),
-      ),
-      clock && !outcome.benches ? `, ${clock(whole)} on the clock` : null,
-      `. ${gap(outcome, money)}`,
+      doneBefore > 0 ? `${count(doneBefore, 'test')} done; for the rest: ` : `${what}: `,
+      h('strong', {}, comesTo(job, outcome, money)),
+      clock && !outcome.benches ? `, ${clock(outcome.cost)} on the clock` : null,
+      `. ${gap(job, outcome, money)}`,
     ),
-    ...again(job, outcome, trust),
+    needsSeveral(job, outcome, leads.oneOfEach),
+    ...again(job, outcome, leads.trust),
     outcome.reason ? whyNotLess(outcome.reason, money(outcome.bound)) : null,
-    outcome.notes.length > 0
+    notes.length > 0
       ? h(
           'details',
-          { class: 'no-print', open: outcome.notes.length <= 2 },
-          h('summary', {}, `${count(outcome.notes.length, 'note')} on the job`),
+          { class: 'no-print', open: notes.length <= 2 },
+          h('summary', {}, `${count(notes.length, 'note')} on the job`),
           h(
             'ul',
             {},
-            outcome.notes.map((note) => h('li', {}, note)),
+            notes.map((note) => h('li', {}, note)),
           ),
         )
       : null,
     h(
       'p',
       { class: 'hint' },
-      `A test costs ${money(outcome.testCost)}; ${changing(job, money(outcome.changeCost))}. `,
-      `${number(outcome.met.tested)} of ${number(outcome.met.needed)} needed ` +
-        `${outcome.met.what} are tested, counted by an independent checker.`,
+      `${costWords(job, outcome, money)} `,
+      doneBefore > 0
+        ? `${number(met.needed)} needed ${met.what} were left`
+        : `${count(met.needed, met.what.slice(0, -1), met.what)} ` +
+            `${met.needed === 1 ? 'is' : 'are'} needed`,
+      met.tested === met.needed
+        ? `, and ${met.needed === 1 ? 'it is' : 'all are'} tested`
+        : `, and ${number(met.tested)} of them are tested`,
+      ', counted by an independent checker.',
     ),
   );
 }

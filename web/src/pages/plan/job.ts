@@ -67,6 +67,8 @@ export interface Job {
   objective: '' | 'cost' | 'tests';
   hours: string;
   firstDay: string;
+  /** When a day of work begins, as 08:00; '' is not said. Only what is shown follows it. */
+  dayBegins: string;
   weekends: boolean;
   trustFailed: boolean;
   /** How long is searched; 0: as long as it brings something. */
@@ -108,6 +110,7 @@ export function emptyJob(): Job {
     objective: '',
     hours: '',
     firstDay: '',
+    dayBegins: '08:00',
     weekends: false,
     trustFailed: false,
     seconds: 0,

@@ -3,7 +3,7 @@ import { h } from '../../lib/dom';
 import type { PlanJob } from '../../lib/api';
 import { plot } from '../../parts/plot';
 import { count } from '../../lib/words';
-import { about } from './job';
+import { about, type Job } from './job';
 
 export interface Live {
   readonly element: HTMLElement;
@@ -13,8 +13,45 @@ export interface Live {
   hear(job: PlanJob): void;
 }
 
+/** What a plan is measured by while it is searched: words for the best one, the bound, the axis. */
+interface Measure {
+  best(tests: string): string;
+  bound(amount: string): string;
+  axis: string;
+}
+
+export function measureOf(job: Job): Measure {
+  const several = job.benches.some(({ name }) => name !== '');
+  const hours = job.hours.trim() !== '' || job.benches.some((bench) => bench.hours.trim() !== '');
+  const unit = job.unit === '' && several && hours ? 'hours' : job.unit;
+  if (several && job.objective !== 'cost') {
+    const what = unit === '' ? 'cost' : unit;
+    return {
+      best: (tests) => `${what} to the last test are the best so far, with ${tests}`,
+      bound: (amount) => `no plan takes less than ${amount}`,
+      axis: `${what} to the end`,
+    };
+  }
+  return unit === ''
+    ? {
+        best: (tests) => `is the best cost so far, with ${tests}`,
+        bound: (amount) => `no plan costs less than ${amount}`,
+        axis: 'cost',
+      }
+    : {
+        best: (tests) => `${unit} are the best so far, with ${tests}`,
+        bound: (amount) => `no plan takes less than ${amount}`,
+        axis: unit,
+      };
+}
+
 /** `best` asks for the best so far, `give_up` for nothing. */
-export function livePanel(best: () => void, giveUp: () => void, signal: AbortSignal): Live {
+export function livePanel(
+  measure: Measure,
+  best: () => void,
+  giveUp: () => void,
+  signal: AbortSignal,
+): Live {
   const cost = h('strong', { class: 'live-best' }, '…');
   const said = h('span', {}, 'Looking for a first plan');
   const bar = h('progress', { max: 1, 'aria-label': 'How much of the time has gone' });
@@ -27,7 +64,7 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
   const chart = plot({
     label: 'The best plan so far and the lower bound, by time',
     x: 'seconds',
-    y: 'cost',
+    y: measure.axis,
     height: 150,
     signal,
     yText: about,
@@ -71,8 +108,8 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
             ? ': this is the least'
             : ` (${above.toFixed(1)}\u00a0% above)`;
       said.textContent =
-        `is the best so far, with ${count(job.tests ?? 0, 'test')}; no plan ` +
-        `costs less than ${about(job.bound)}${gap}.`;
+        `${measure.best(count(job.tests ?? 0, 'test'))}; ` +
+        `${measure.bound(about(job.bound))}${gap}.`;
       if (points.length === 0) {
         points.push({ at: 0, best: null, bound: job.bound }); // The axis begins there.
       }

@@ -11,7 +11,12 @@ export interface Next {
   refresh(): void;
 }
 
-export function nextTests(outcome: Outcome, written: (test: number) => void): Next {
+/** `time` says a time of the plan as people do. */
+export function nextTests(
+  outcome: Outcome,
+  time: (planned: string) => string,
+  written: (test: number) => void,
+): Next {
   const element = h('div', { class: 'next-tests no-print' });
   const names = namesOf(outcome);
   const money = moneyOf(outcome.tests.map(({ cost }) => cost));
@@ -43,7 +48,7 @@ export function nextTests(outcome: Outcome, written: (test: number) => void): Ne
           { class: 'hint' },
           `${outcome.unit ? 'takes' : 'costs'} ${money(test.cost)}` +
             `${outcome.unit ? ` ${outcome.unit}` : ''}` +
-            `${test.when ? `, begins ${test.when}` : ''}`,
+            `${test.when ? `, begins ${time(test.when)}` : ''}`,
         ),
       ),
       again !== '' && h('p', { class: 'repeats' }, `${again}: same parts, tested once more.`),

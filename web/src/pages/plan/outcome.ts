@@ -346,7 +346,8 @@ function ofBenches(
       tested: triples ? plan.triples_tested : plan.pairs_tested,
     },
     budget: plan.budget,
-    unit: plan.cost_unit,
+    // Where benches have hours, costs are hours unless the job says what else they are.
+    unit: plan.cost_unit ?? (plan.sheets.some(({ hours }) => hours !== null) ? 'hours' : null),
     finish: clock(plan.finish, plan.cost_unit),
     soonest: clock(plan.lower_bound.finish, plan.cost_unit),
     alternatives: [

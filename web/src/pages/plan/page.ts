@@ -6,36 +6,45 @@ import { problem, type View } from '../../shell/router';
 import { sheetActions } from './actions';
 import { follow } from './ask';
 import { Diagnosing } from './diagnosing';
-import { forDiagnosis, forWhatIf, inWords, keyIn, requestOf, withDone } from './document';
+import {
+  forDiagnosis,
+  forWhatIf,
+  inWords,
+  keyIn,
+  othersOf,
+  readFrom,
+  readWords,
+  requestOf,
+  unitIn,
+} from './document';
 import { readFile, readParts } from './files';
 import { acceptFiles } from './drop';
 import { jobForm } from './form';
 import { headline } from './headline';
 import { JobBox } from './job_box';
-import { emptyJob, exact, FieldFault, lineOf, type Job, type Part } from './job';
+import { emptyJob, FieldFault, type Job, type Part } from './job';
 import { withNext } from './insertion';
 import { introduction } from './introduction';
 import { keptHere, keptOnServer, keptWords } from './keeping';
 import { keptList } from './kept';
-import { livePanel } from './live';
+import { livePanel, measureOf } from './live';
 import { modelExcerpt, modelWords } from './model_faults';
 import { nextTests } from './next';
 import {
-  blank,
-  csv,
   isDone,
   onBenches,
   outcomeOf,
   verdictOf,
-  type Outcome,
   type Place,
   type State,
   type Test,
 } from './outcome';
 import { keepResult, keepRun, openRun, ownName, watchRun, withResults, type Kept } from './run';
 import { printedRules } from './printed';
+import { askedWith, atCosts, forbidding, oneOfEach } from './revised';
 import { runSheet } from './sheet';
 import { keep as keepState, newId } from './store';
+import { timeWords } from './times';
 import { compared, whatIf, whyNoWhatIf } from './what_if';
 import { workbookLink } from './workbook';
 
@@ -67,6 +76,7 @@ export class PlanPage {
     () => this.planAgain(),
     (text) => this.pasted(text),
     () => this.pick.click(),
+    (dayBegins) => this.retimed(dayBegins),
   );
   private readonly pick = h('input', {
     type: 'file',
@@ -94,7 +104,7 @@ export class PlanPage {
       void this.keepSheet();
       this.result.querySelector('.next-tests')?.scrollIntoView({ block: 'nearest' });
     },
-    forbid: (faults) => this.forbid(faults),
+    forbid: (faults) => this.revise(forbidding(this.form.read(), faults)),
     fail: (fault) => this.say(fault),
   });
 
@@ -239,7 +249,8 @@ export class PlanPage {
     try {
       const { job, notes } = await readParts(text, emptyJob(), this.view.signal);
       this.clear();
-      this.tell(notes.filter((note) => /header|not used/.test(note)).map(inWords));
+      const read = notes.filter((note) => /header|not used/.test(note));
+      this.form.told(read.map(readWords), unitIn(read));
       return job.parts;
     } catch (fault) {
       this.say(fault);
@@ -280,7 +291,8 @@ export class PlanPage {
       this.clear();
       this.startAnew();
       this.form.set(job);
-      this.tell(notes.map((note) => note.replace(/^(parts|done)(?=[:\s])/, file.name)));
+      this.form.told(readFrom(file.name, notes), unitIn(notes));
+      this.tell(othersOf(file.name, notes));
       this.stale.hidden = this.state.outcome === null;
       if (fault) {
         this.say(fault);
@@ -294,25 +306,6 @@ export class PlanPage {
     }
   }
 
-  /** The document with the tests that were done, as a run sheet with all its rows. */
-  private asked(
-    job: Job,
-    tests: readonly Test[],
-    places: readonly Place[],
-  ): ReturnType<typeof requestOf> {
-    const request = requestOf(job);
-    if (!tests.some((test) => verdictOf(test) !== '')) {
-      return request;
-    }
-    const sheet = {
-      ...(this.state.outcome ?? blank(job)),
-      benches: tests.some(({ bench }) => bench !== null) ? [] : null,
-      tests: [...tests],
-      places: [...places],
-    };
-    return withDone(request, job, csv(sheet as Outcome));
-  }
-
   private async plan(tests: readonly Test[], places: readonly Place[]): Promise<void> {
     this.planning?.abort();
     const mine = (this.planning = new AbortController());
@@ -324,8 +317,8 @@ export class PlanPage {
     this.result.classList.add('old');
     try {
       const job = this.form.read();
-      const request = this.asked(job, tests, places);
-      const live = livePanel(() => best.abort(), stop, mine.signal);
+      const request = askedWith(job, this.state.outcome, tests, places);
+      const live = livePanel(measureOf(job), () => best.abort(), stop, mine.signal);
       const cancel = h('button', { type: 'button', class: 'plain', onclick: stop }, 'Cancel');
       this.box.fold();
       if (this.writes) {
@@ -389,8 +382,9 @@ export class PlanPage {
     this.view.signal.addEventListener('abort', () => drawing.abort(), { once: true });
     this.box.fold();
     const written = (i: number) => void this.written(i);
-    const sheet = runSheet(state.job.title, outcome, written, drawing.signal);
-    const next = nextTests(outcome, written);
+    const time = (planned: string) => timeWords(planned, state.job.dayBegins);
+    const sheet = runSheet(state.job.title, outcome, time, written, drawing.signal);
+    const next = nextTests(outcome, time, written);
     const actions = sheetActions(
       state.job.title,
       outcome,
@@ -410,7 +404,10 @@ export class PlanPage {
     const whyNot = whyNoWhatIf(state.job, outcome);
     fill(
       this.result,
-      headline(state.job, outcome, () => (this.box.open(), this.form.trust())),
+      headline(state.job, outcome, {
+        trust: () => (this.box.open(), this.form.trust()),
+        oneOfEach: () => this.revise(oneOfEach(this.form.read())),
+      }),
       this.stale,
       next.element,
       actions.element,
@@ -428,27 +425,42 @@ export class PlanPage {
               const { what_if: found } = await post(
                 'plan',
                 {},
-                forWhatIf(this.asked(state.job, outcome.tests.filter(isDone), outcome.places)),
+                forWhatIf(
+                  askedWith(
+                    state.job,
+                    this.state.outcome,
+                    outcome.tests.filter(isDone),
+                    outcome.places,
+                  ),
+                ),
                 drawing.signal,
               );
               return found!;
             },
-            (test, change, times) => this.atCosts(test, change, times),
+            (test, change, times) =>
+              this.revise(
+                atCosts(this.form.read(), test, change, times),
+                outcome.tests.filter(isDone),
+              ),
             drawing.signal,
           ),
     );
   }
 
-  /** The parts' own costs keep their proportion to the cost for all. */
-  private atCosts(testCost: number, changeCost: number, times: number): void {
-    const job = this.form.read();
-    const { outcome } = this.state;
-    const parts = job.parts.map((part) => ({
-      ...part,
-      cost: part.cost === null ? null : exact(part.cost * times),
-    }));
-    this.form.set({ ...job, testCost, changeCost: exact(changeCost), parts });
-    void this.plan(outcome!.tests.filter(isDone), outcome!.places);
+  /** Plans the rest anew, of another job. */
+  private revise(job: Job, tests = this.state.outcome!.tests): void {
+    this.form.set(job);
+    void this.plan(tests, this.state.outcome!.places);
+  }
+
+  /** When days begin is a matter of the page: nothing is planned anew. */
+  private retimed(dayBegins: string): void {
+    if (!this.state.outcome || this.state.job.dayBegins === dayBegins) {
+      return;
+    }
+    this.state.job = { ...this.state.job, dayBegins };
+    this.show();
+    void this.keepSheet();
   }
 
   private async diagnose(): Promise<Diagnosis> {
@@ -456,19 +468,10 @@ export class PlanPage {
     const { diagnosis } = await post(
       'plan',
       {},
-      forDiagnosis(this.asked(this.form.read(), tests, places)),
+      forDiagnosis(askedWith(this.form.read(), this.state.outcome, tests, places)),
       this.view.signal,
     );
     return diagnosis!;
-  }
-
-  private forbid(faults: string[][]): void {
-    const { tests, places } = this.state.outcome!;
-    const now = this.form.read();
-    const rows = faults.map((fault) => lineOf([...fault, 'failed together']));
-    const never = [now.never.trim(), ...rows].filter(Boolean).join('\n');
-    this.form.set({ ...now, never });
-    void this.plan(tests, places);
   }
 
   /** A result was written down. */

@@ -50,9 +50,17 @@ export function partsGrid(
     });
     const named = [...body.rows].filter((row) => inputs(row)[0].value.trim() !== '');
     size.textContent = count(named.length, 'part');
+    sayQuantities();
     changedSlots(
       [...new Set(named.map((row) => inputs(row)[2].value.trim()))].filter((slot) => slot !== ''),
     );
+  }
+
+  /** Once it is said of one part how many there are, there is one of each other. */
+  function sayQuantities(): void {
+    const all = [...body.rows].map((row) => inputs(row)[3]);
+    const usual = all.some(({ value }) => value.trim() !== '') ? '1' : 'any';
+    all.forEach((input) => (input.placeholder = usual));
   }
 
   function makeRow(part: Part): HTMLTableRowElement {
@@ -152,7 +160,7 @@ export function partsGrid(
     'table',
     {
       class: 'parts-grid',
-      oninput: () => (keepOneEmpty(), changed()),
+      oninput: () => (keepOneEmpty(), sayQuantities(), changed()),
       onkeydown: (event) => {
         const { key, target } = event as KeyboardEvent;
         const row = (target as Element).closest('tbody tr');
@@ -200,7 +208,11 @@ export function partsGrid(
         h('th', {}, 'part'),
         h('th', { class: 'of-cost' }, 'cost to put in'),
         h('th', { class: 'of-slot' }, 'slot'),
-        h('th', { class: 'of-quantity', title: 'Empty: as many as are needed' }, 'how many'),
+        h(
+          'th',
+          { class: 'of-quantity', title: 'How many there are. All empty: enough for every bench' },
+          'how many',
+        ),
         h('th', {}, 'gone'),
         h('th', {}, h('span', { class: 'unseen' }, 'take off')),
       ),

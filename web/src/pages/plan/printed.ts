@@ -1,10 +1,11 @@
 // Rules of a job that the person who runs its tests must know, below the printed sheet.
 import { h, type Child } from '../../lib/dom';
-import { cells, type Job } from './job';
+import { neverRows } from './document';
+import type { Job } from './job';
 
-function rowsOf(text: string): string[][] {
+function rowsOf(job: Job): string[][] {
   try {
-    return cells(text);
+    return neverRows(job);
   } catch {
     return []; // Such a list is not planned.
   }
@@ -12,7 +13,7 @@ function rowsOf(text: string): string[][] {
 
 /** `notes`: those of the plan; what cannot meet is printed. */
 export function printedRules(job: Job, notes: readonly string[]): HTMLElement | null {
-  const never = rowsOf(job.never);
+  const never = rowsOf(job);
   const broken = job.parts.filter(({ gone }) => gone).map(({ name }) => name);
   const lines: Child[] = [
     never.length > 0 && h('h3', {}, 'Must never be in one set-up'),

@@ -8,7 +8,8 @@ export interface Column<T> {
   label: string;
   hint?: string;
   kind?: 'number' | 'wide' | 'check';
-  placeholder?: string;
+  /** A function is asked again whenever the form has changed. */
+  placeholder?: string | (() => string);
   /** Of cards: shown once more is asked for, or something is in it. */
   rare?: boolean;
 }
@@ -17,6 +18,8 @@ export interface Rows<T> {
   readonly element: HTMLElement;
   read(): T[];
   set(rows: readonly T[]): void;
+  /** Says anew what empty fields stand for. */
+  refresh(): void;
 }
 
 /** As `cards` a row is a frame with its fields side by side, as many as there is room for. */
@@ -65,7 +68,8 @@ export function rowsTable<T extends object>(
                 type: 'text',
                 class: kind ?? null,
                 value: String(value),
-                placeholder: placeholder ?? null,
+                placeholder:
+                  typeof placeholder === 'function' ? placeholder() : (placeholder ?? null),
                 autocomplete: 'off',
                 spellcheck: 'false',
               });
@@ -147,6 +151,16 @@ export function rowsTable<T extends object>(
     set(rows) {
       fill(body, rows.map(makeRow));
       settle();
+    },
+    refresh() {
+      for (const row of body.rows) {
+        inputs(row).forEach((input, i) => {
+          const { placeholder } = columns[i]!;
+          if (typeof placeholder === 'function') {
+            input.placeholder = placeholder();
+          }
+        });
+      }
     },
   };
 }

@@ -14,6 +14,7 @@ import {
   type Test,
 } from './outcome';
 import { resultButtons } from './results';
+import { skippedWords } from './skipped';
 import { idleOf, timeStrip } from './strip';
 
 const piece = 200;
@@ -37,7 +38,7 @@ export function clockOf(unit: Outcome['unit']): ((cost: number) => string) | nul
 }
 
 /** When a test ends, without its day if that is the day on which it begins. */
-function endOf({ when = '', ends = '' }: Test): string {
+function endOf(when: string, ends: string): string {
   const day = /^.*, /.exec(when)?.[0] ?? '';
   return day !== '' && ends.startsWith(day) ? ends.slice(day.length) : ends;
 }
@@ -155,10 +156,14 @@ function inSlot(
   });
 }
 
-/** `written` is called with the number of a test whose result or notes have changed. */
+/**
+ * `time` says a time of the plan as people do; `written` is called with the number of a test whose
+ * result or notes have changed.
+ */
 export function runSheet(
   title: string,
   outcome: Outcome,
+  time: (planned: string) => string,
   written: (test: number) => void,
   signal: AbortSignal,
 ): Sheet {
@@ -169,6 +174,7 @@ export function runSheet(
   const unit = outcome.unit ? ` ${outcome.unit}` : '';
   const progress = h('progress', { max: tests.length, value: 0, 'aria-label': 'Tests done' });
   const said = h('p', { class: 'sheet-progress', role: 'status' });
+  const skipped = h('p', { class: 'hint no-print', role: 'status' });
   const refreshers: (() => void)[] = [];
   const sums = new Map<string | null, number>();
   const sumAt = tests.map(({ bench, cost }) => {
@@ -193,6 +199,8 @@ export function runSheet(
       `${number(done.length)} of ${count(tests.length, 'test')} ` +
       `done${failed > 0 ? `, ${number(failed)} failed` : ''}; ${money(spent)} of ` +
       `${money(whole)}${unit} spent.`;
+    skipped.textContent = skippedWords(outcome);
+    skipped.hidden = skipped.textContent === '';
     const next = new Set<number>();
     for (const bench of new Set(tests.map((test) => test.bench))) {
       const i = tests.findIndex((test) => test.bench === bench && verdictOf(test) === '');
@@ -233,6 +241,8 @@ export function runSheet(
     });
     const list = (parts: string[], none: string) => (parts.length > 0 ? named(parts) : none);
     const same = out.length === 0 && put.length === 0;
+    const begins = test.when ? time(test.when) : '';
+    const ends = test.ends ? time(test.ends) : '';
     rows[i] = h(
       'tr',
       {},
@@ -246,8 +256,8 @@ export function runSheet(
         ? h(
             'td',
             { class: 'of-when', 'data-label': 'begins' },
-            test.when ?? '',
-            test.ends ? h('span', { class: 'of-end' }, ` · ends ${endOf(test)}`) : null,
+            begins,
+            ends === '' ? null : h('span', { class: 'of-end' }, ` · ends ${endOf(begins, ends)}`),
           )
         : null,
       ...(test.values || slots
@@ -294,7 +304,7 @@ export function runSheet(
       h(
         'td',
         { class: 'number of-sum', 'data-label': hasTimes ? 'ends' : 'so far' },
-        test.ends ?? (clock ? clock(sumAt[i]!) : money(sumAt[i]!)),
+        ends !== '' || hasTimes ? ends : clock ? clock(sumAt[i]!) : money(sumAt[i]!),
       ),
       h('td', { class: 'of-notes', 'data-label': 'notes' }, again, notes),
     );
@@ -376,14 +386,14 @@ export function runSheet(
         const sum = sums.get(name) ?? 0;
         const last = tests[indices.at(-1) ?? -1]?.ends;
         const done = last
-          ? `, done on ${last}`
+          ? `, done on ${time(last)}`
           : end > sum
             ? unit
               ? `, done ${money(end)}${unit} after the start`
               : `, done at ${money(end)}`
             : '';
         const idle = idleOf(outcome, name);
-        const waits = idle > 0 ? `, ${money(idle)} idle` : '';
+        const waits = idle > 0 ? `, ${money(idle)}${unit} idle` : '';
         const work = unit ? `${money(sum)}${unit} of work` : `cost ${money(sum)}`;
         return h(
           'section',
@@ -393,7 +403,7 @@ export function runSheet(
           h(
             'h3',
             {},
-            name,
+            h('span', { class: 'no-print' }, name),
             h(
               'span',
               { class: 'hint' },
@@ -411,7 +421,7 @@ export function runSheet(
           'Run sheet',
         ),
       ];
-  const strip = timeStrip(outcome, (i) => {
+  const strip = timeStrip(outcome, time, (i) => {
     rows[i]?.scrollIntoView({ block: 'center' });
     rows[i]?.querySelector('button')?.focus({ preventScroll: true });
   });
@@ -422,7 +432,11 @@ export function runSheet(
       'div',
       { class: 'sheets' },
       h('div', { class: 'row no-print' }, progress, said),
+      skipped,
       strip?.element,
+      strip && outcome.doneBefore > 0
+        ? h('p', { class: 'hint' }, 'Time begins anew with the first test that is left.')
+        : null,
       benches
         ? null
         : h('p', { class: 'only-print' }, 'Run by ', h('span', {}), ' on ', h('span', {})),

@@ -2,6 +2,7 @@
 import { h, type Child } from '../../lib/dom';
 import { about } from './job';
 import { hoursOf, isDone, namesOf, testName, verdictOf, type Outcome } from './outcome';
+import { dayWords } from './times';
 
 const steps = [0.25, 0.5, 1, 2, 3, 4, 6, 8, 12, 24];
 
@@ -42,7 +43,11 @@ export function idleOf(outcome: Outcome, name: string): number {
 }
 
 /** The lines below the lanes: hours, or days where there are many. */
-function ticks(end: number, day: number | null): { at: number; text: string; day: boolean }[] {
+function ticks(
+  end: number,
+  day: number | null,
+  nameOf: (day: number) => string,
+): { at: number; text: string; day: boolean }[] {
   const wanted = end / 10;
   const many = day !== null && end > 4 * day;
   const step = steps.find((each) => each >= wanted) ?? Math.ceil(wanted / 24) * 24;
@@ -56,10 +61,23 @@ function ticks(end: number, day: number | null): { at: number; text: string; day
   const every = many ? Math.ceil(wanted / day) : 1;
   for (let today = 0; today * day < end; ++today) {
     if (today % every === 0) {
-      found.push({ at: today * day, text: `day ${today + 1}`, day: true });
+      found.push({ at: today * day, text: nameOf(today), day: true });
     }
     for (let at = step; !many && at < day && today * day + at <= end; at += step) {
       found.push({ at: today * day + at, text: about(at), day: false });
+    }
+  }
+  return found;
+}
+
+/** The dates of days, by their number from 0, as far as tests that begin or end on them say them. */
+function datesOf({ tests }: Outcome, day: number | null): Map<number, string> {
+  const found = new Map<number, string>();
+  for (const { when = '', ends = '', span } of day === null ? [] : tests) {
+    const [first, last] = [dayWords(when), dayWords(ends)];
+    if (first !== null && last !== null && span) {
+      found.set(Math.floor(span[0] / day! + 1e-9), first);
+      found.set(Math.ceil(span[1] / day! - 1e-9) - 1, last);
     }
   }
   return found;
@@ -70,8 +88,15 @@ export interface Strip {
   refresh(): void;
 }
 
-/** `go` shows the row of a test. null: the times of no test are known. */
-export function timeStrip(outcome: Outcome, go: (test: number) => void): Strip | null {
+/**
+ * `time` says a time of the plan as people do; `go` shows the row of a test. null: the times of no
+ * test are known.
+ */
+export function timeStrip(
+  outcome: Outcome,
+  time: (planned: string) => string,
+  go: (test: number) => void,
+): Strip | null {
   const { benches, tests, unit } = outcome;
   const end = Math.max(0, ...tests.map(({ span }) => span?.[1] ?? 0));
   if (!benches || end === 0) {
@@ -85,6 +110,7 @@ export function timeStrip(outcome: Outcome, go: (test: number) => void): Strip |
     element.style.width = until === undefined ? '' : part(until - from);
     return element;
   };
+  const dates = datesOf(outcome, day);
   const bars = new Map<number, HTMLElement>();
   const lane = ({ name, down, hours }: NonNullable<Outcome['benches']>[number]): Child[] => {
     const own = hours === null ? null : inUnit(hours, unit);
@@ -106,7 +132,7 @@ export function timeStrip(outcome: Outcome, go: (test: number) => void): Strip |
       const said =
         `${testName(test, names[i]!)}: ` +
         (test.when
-          ? `begins ${test.when}, ends ${test.ends ?? about(until)}`
+          ? `begins ${time(test.when)}, ends ${test.ends ? time(test.ends) : about(until)}`
           : `${about(from)} to ${about(until)}`);
       const bar = h(
         'button',
@@ -131,13 +157,13 @@ export function timeStrip(outcome: Outcome, go: (test: number) => void): Strip |
   const what = day !== null || unit === 'hours' ? 'hours' : (unit ?? 'cost as time');
   const element = h(
     'section',
-    { class: 'time-strip no-print', 'aria-label': 'When the tests run' },
+    { class: 'time-strip', 'aria-label': 'When the tests run' },
     h('div', { class: 'lanes' }, benches.flatMap(lane), [
       h('span', { class: 'lane-name hint' }, what),
       h(
         'div',
         { class: 'axis', 'aria-hidden': 'true' },
-        ticks(end, day)
+        ticks(end, day, (today) => dates.get(today) ?? `day ${today + 1}`)
           .filter(({ at }) => at < 0.97 * end) // A last one would stand outside.
           .map(({ at, text, day: begins }) =>
             placed(h('span', { class: begins ? 'tick day' : 'tick' }, text), at),
