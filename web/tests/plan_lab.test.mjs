@@ -473,8 +473,17 @@ test('a model with a slip is there to be mended, with its place marked', async (
   const model = page.locator('.model .field').first();
   await model.getByText('Line 3, column 4: no parameter is called').waitFor();
   await model.locator('.excerpt-line.here', { hasText: 'Browsr' }).waitFor();
+  assert.equal(await model.locator('.excerpt mark').innerText(), '[Browsr]');
   const text = model.locator('textarea');
-  await text.fill((await text.inputValue()).replace('Browsr', 'Browser'));
+  assert.equal(
+    await text.evaluate((it) => it.value.slice(it.selectionStart, it.selectionEnd)),
+    '[Browsr]',
+  );
+  await page.getByText('Read from shop.txt.').waitFor();
+  await model.getByRole('button', { name: 'Write [Browser]' }).click();
+  assert.match(await text.inputValue(), /IF \[Browser\] = "Edge"/);
+  assert.equal(await page.getByText('Read from shop.txt.').count(), 0, 'it is another text now');
+  assert.equal(await model.locator('.excerpt').count(), 0);
   await briefly(page);
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await planned(page);

@@ -104,9 +104,13 @@ test('why not less, in lines', async () => {
     'C(j,2) + j(4-j) new pairs: 7 tests with 16 changes cost least';
   const lines = [
     ['At least 7 tests', 'the parts are in at least 27 set-ups in all, 4 in each'],
-    ['At least 15 changes', 'one change at a time takes 12 blocks: SCCD(9,4)'],
     [
-      'Together',
+      'At least 15 changes',
+      'with one change at a time it takes 12 tests, as in the design SCCD(9,4): 4 parts for the ' +
+        'first test and 11 changes after it',
+    ],
+    [
+      'Together at least 155.00',
       'j changes of 4 bring at most C(j,2) + j(4-j) new pairs: 7 tests with 16 changes cost least',
     ],
   ];
@@ -340,4 +344,11 @@ test('how a list was read, below it, and the unit that its heading names', async
   assert.deepEqual(readFrom('a.csv', [note, 'done: more']).length, 2);
   assert.deepEqual(readFrom('a.txt', ['a.txt: the model']), ['Read from a.txt.']);
   assert.deepEqual(othersOf('a.csv', [note, 'done: more', 'a.csv: slots']), ['a.csv: more']);
+});
+
+test('the word of a model that is wrong is marked as a whole', async () => {
+  const { wordLength } = await load('pages/plan/model_faults.ts');
+  const line = 'IF [Browsr] = "Edge 2" THEN OS-x';
+  const at = (word) => wordLength(line, line.indexOf(word) + 1);
+  assert.deepEqual(['[', '"', 'OS-x', '= '].map(at), [8, 8, 4, 1]);
 });

@@ -160,14 +160,15 @@ std::string first_names(const std::vector<std::string>& names, std::size_t from)
 }
 
 std::string apart_note(const PairSet& apart, const Job& job, std::string_view where) {
-  constexpr std::uint64_t few = 3;
+  constexpr std::uint64_t few = 8;
   std::string examples;
   apart.for_each(few, [&](Element x, Element y) {
     examples += fmt::format("{}{} and {}", examples.empty() ? "" : "; ", job.names[std::min(x, y)],
                             job.names[std::max(x, y)]);
   });
   return fmt::format("{} cannot meet {} and need not: {}{}", count_of(apart.size(), "pair"), where,
-                     examples, apart.size() > few ? "; …" : "");
+                     examples,
+                     apart.size() > few ? fmt::format("; and {} more", apart.size() - few) : "");
 }
 
 }  // namespace changeover

@@ -28,7 +28,7 @@ namespace changeover {
 [[nodiscard]] std::string first_names(const std::vector<std::string>& names, std::size_t from);
 
 /// A note on pairs (at least one) that need not meet: "2 pairs cannot meet by the rules and need
-/// not: A and B; C and D".
+/// not: A and B; C and D". Of many it names the first and says how many more there are.
 [[nodiscard]] std::string apart_note(const PairSet& apart, const Job& job, std::string_view where);
 
 }  // namespace changeover

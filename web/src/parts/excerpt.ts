@@ -33,10 +33,12 @@ async function linesAround(
   }
 }
 
+/** From `column` on so many letters are marked. */
 export async function excerpt(
   source: string | Blob,
   line: number,
   column: number | undefined,
+  length = 1,
 ): Promise<HTMLElement> {
   const { first, lines } = await linesAround(source, line);
   return h(
@@ -56,8 +58,8 @@ export async function excerpt(
         here && at >= 0
           ? [
               shown.slice(0, at),
-              h('mark', {}, shown.slice(at, at + 1) || '\u00a0'),
-              shown.slice(at + 1),
+              h('mark', {}, shown.slice(at, at + length) || '\u00a0'),
+              shown.slice(at + length),
             ]
           : [shown];
       return h(

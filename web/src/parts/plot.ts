@@ -30,6 +30,8 @@ export interface PlotOptions {
   rightText?: (y: number) => string;
   /** An upright line at this x. */
   mark?: () => number | null;
+  /** What it is of, beside its head. */
+  markText?: () => string;
   fromZero?: boolean;
   /** What is counted has no halves: no lines between whole numbers. */
   whole?: boolean;
@@ -173,6 +175,14 @@ export function plot(options: PlotOptions): Plot {
                 ctx.moveTo(x, bbox.top);
                 ctx.lineTo(x, bbox.top + bbox.height);
                 ctx.stroke();
+                const words = options.markText?.() ?? '';
+                const gap = 4 * devicePixelRatio;
+                ctx.font = `${12 * devicePixelRatio}px ${colour('--text-font')}`;
+                ctx.fillStyle = colour('--text');
+                ctx.textBaseline = 'top';
+                const right = x + gap + ctx.measureText(words).width < bbox.left + bbox.width;
+                ctx.textAlign = right ? 'left' : 'right';
+                ctx.fillText(words, right ? x + gap : x - gap, bbox.top + gap);
                 ctx.restore();
               }
             },

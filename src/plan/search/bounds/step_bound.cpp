@@ -105,6 +105,13 @@ StepCost least_by_steps(StepProgram& program) {
   return best;
 }
 
+// Numbers of a linear program need not be whole: "12 tests", "11.5 tests".
+std::string amount_of(double number, std::string_view what) {
+  const double whole = std::round(number);
+  return std::abs(number - whole) < 0.01 ? count_of(static_cast<std::uint64_t>(whole), what)
+                                         : fmt::format("{:.1f} {}s", number, what);
+}
+
 }  // namespace
 
 void raise_by_steps(const Job& job, const std::string& least_known, CostBound& bound) {
@@ -122,9 +129,6 @@ void raise_by_steps(const Job& job, const std::string& least_known, CostBound& b
     return;
   }
   bound.cost = cost;
-  const auto up = [](double number) {
-    return static_cast<std::uint64_t>(std::ceil(number - 0.01));
-  };
   const bool model = job.model != nullptr;
   std::string costly;
   if (least.costly) {
@@ -136,11 +140,11 @@ void raise_by_steps(const Job& job, const std::string& least_known, CostBound& b
                     count_of(least.costly->times, "time"), all ? "" : ", whatever the others do");
   }
   bound.reason = fmt::format(
-      "{}{}, and {} is tested only with what {} then: about {} with {} cost least (docs/plan.md, "
-      "The lower bound)",
+      "{}{}, and {} is tested only with what {} then: the least that this allows is {} with {} "
+      "(docs/plan.md, The lower bound)",
       least_known, costly, model ? "a value that is set" : "what is put in",
-      model ? "the other parameters have" : "is mounted", count_of(up(least.tests), "test"),
-      count_of(up(least.introductions) + n.mounted_introductions, "change"));
+      model ? "the other parameters have" : "is mounted", amount_of(least.tests, "test"),
+      amount_of(least.introductions + static_cast<double>(n.mounted_introductions), "change"));
 }
 
 }  // namespace changeover

@@ -100,7 +100,7 @@ LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
   LeastNumber least;
   for (std::size_t p = 0; p < n.slots; ++p) {
     for (std::size_t q = 0; q < p; ++q) {
-      least.at_least(n.in_range[p][q], fmt::format("the {} of {} and {} come one a test",
+      least.at_least(n.in_range[p][q], fmt::format("each of the {} of {} and {} is in another test",
                                                    count_of(n.in_range[p][q], "pair"),
                                                    job.slots[q].name, job.slots[p].name));
     }
@@ -123,7 +123,7 @@ LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
         n.negative[t[0]] || n.negative[t[1]] || n.negative[t[2]] ? 0U : 1U;
   }
   for (const auto& [slots, number] : triples) {
-    least.at_least(number, fmt::format("the {} of {}, {} and {} come one a test",
+    least.at_least(number, fmt::format("each of the {} of {}, {} and {} is in another test",
                                        count_of(number, "triple"), job.slots[slots[0]].name,
                                        job.slots[slots[1]].name, job.slots[slots[2]].name));
   }
@@ -512,8 +512,8 @@ void improve_choice_bound(const Job& job, CostBound& bound, std::string& known) 
   if (tests.number >= bound.tests || cost >= bound.cost) {
     const std::uint64_t least = std::max(changes.number, bound.introductions);
     known = fmt::format(
-        "at least {} ({}), at least {} (two parameters change as often as they have pairs to go "
-        "through, many together more often)",
+        "at least {} ({}), at least {} (each new pair of two parameters takes a change of one of "
+        "them, and this is counted over all parameters)",
         count_of(std::max(tests.number, bound.tests), "test"),
         tests.number >= bound.tests ? tests.why : "by their pairs", count_of(least, "change"));
     bound.reason = known;

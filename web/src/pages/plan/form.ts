@@ -53,6 +53,10 @@ export interface Form {
   set(job: Job): void;
   /** Says below a list how it was read; `unit`: what its costs are, unless that is said already. */
   told(notes: readonly string[], unit: Unit | null): void;
+  /** Selects these letters of the model, in sight. */
+  mark(from: number, to: number): void;
+  /** Writes a text in their place. */
+  write(from: number, to: number, text: string): void;
   /** Shows the choice whether what met only in failed tests counts as tested. */
   trust(): void;
   /** Puts the element below the field of a key of the document; false if that is not to be seen. */
@@ -535,6 +539,18 @@ export function jobForm(
         unit.value = named;
         told[source].append(h('p', { class: 'hint' }, `Costs are ${named}, as its heading says.`));
       }
+    },
+    mark(from, to) {
+      model.focus({ preventScroll: true });
+      model.setSelectionRange(from, to);
+      const line = model.value.slice(0, from).split('\n').length;
+      model.scrollTop = (model.scrollHeight * (line - 3)) / model.value.split('\n').length;
+    },
+    write(from, to, text) {
+      model.setRangeText(text, from, to, 'end');
+      model.focus();
+      fill(told.model);
+      touched();
     },
     trust() {
       groups['budget']!.element.open = true;

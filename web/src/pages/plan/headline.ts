@@ -72,6 +72,18 @@ export function inShort(job: Job, benches = 0): string {
         `${benches > 0 ? `, ${count(benches, 'bench', 'benches')}` : ''}`;
 }
 
+/** "5 parameters, 15 values" of a model of which each value is in a test; '' for others. */
+function modelSize({ tests, benches, met, doneBefore }: Outcome): string {
+  const rows = tests.flatMap(({ values }) => (values ? [Object.entries(values)] : []));
+  const parameters = rows[0]?.length ?? 0;
+  if (parameters === 0 || doneBefore > 0 || met.tested < met.needed) {
+    return '';
+  }
+  const values = new Set(rows.flat().map(([parameter, value]) => `${parameter}\n${value}`)).size;
+  const several = benches ? `, ${count(benches.length, 'bench', 'benches')}` : '';
+  return `${count(parameters, 'parameter')}, ${count(values, 'value')}${several}`;
+}
+
 /** What a test and a change cost, with what says it first. */
 function costWords(job: Job, { testCost, changeCost, unit }: Outcome, money: Money): string {
   const costs = unit ? 'takes' : 'costs';
@@ -175,7 +187,7 @@ export function headline(job: Job, outcome: Outcome, leads: Leads): HTMLElement 
     ...outcome.tests.map(({ cost }) => cost),
   ]);
   const clock = clockOf(outcome.unit);
-  const what = inShort(job, outcome.benches?.length) || count(0, 'part');
+  const what = modelSize(outcome) || inShort(job, outcome.benches?.length) || count(0, 'part');
   // How many are done is said already.
   const notes = outcome.notes.filter(
     (note) => doneBefore === 0 || !/done and stays?\.$/.test(note),

@@ -61,7 +61,7 @@ export function introduction(use: (job: Job) => void): Introduction {
       h(
         'figcaption',
         { class: 'hint' },
-        'So a plan looks: nine parts A to I, four at a time, in eight tests. Coloured: put in ' +
+        'A plan looks like this: nine parts A to I, four at a time, in eight tests. Coloured: put in ' +
           'for this test. In the end every two parts were in a test together.',
       ),
     ),

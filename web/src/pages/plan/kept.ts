@@ -4,6 +4,7 @@ import { count } from '../../lib/words';
 import { link, problem } from '../../shell/router';
 import { forgetRun, keptRuns } from './run';
 import { forget, keptJobs } from './store';
+import { dayOf } from './times';
 
 interface Entry {
   href: string;
@@ -44,6 +45,14 @@ function list(heading: string, entries: readonly Entry[]): HTMLElement {
   );
 }
 
+/** "30 Nov, 22:02" */
+function whenOf(when: number | string): string {
+  const time = new Date(when);
+  const year = time.getFullYear() === new Date().getFullYear() ? '' : ` ${time.getFullYear()}`;
+  const minutes = String(time.getMinutes()).padStart(2, '0');
+  return `${dayOf(time)}${year}, ${time.getHours()}:${minutes}`;
+}
+
 const doneOf = (done: number, tests: number) =>
   tests > 0 ? `${done} of ${count(tests, 'test')} done, ` : '';
 
@@ -58,7 +67,7 @@ export function keptList(mayForget: boolean, signal: AbortSignal): HTMLElement {
           jobs.map((job) => ({
             href: link('plan', { id: job.id }),
             title: job.title,
-            said: `${doneOf(job.done, job.tests)}${new Date(job.when).toLocaleString()}`,
+            said: `${doneOf(job.done, job.tests)}${whenOf(job.when)}`,
             forget: () => forget(job.id),
           })),
         );
@@ -71,7 +80,7 @@ export function keptList(mayForget: boolean, signal: AbortSignal): HTMLElement {
           runs.map((run) => ({
             href: link('plan', { run: run.id }),
             title: run.title,
-            said: `${doneOf(run.done, run.tests)}${new Date(run.changed).toLocaleString()}`,
+            said: `${doneOf(run.done, run.tests)}${whenOf(run.changed)}`,
             forget: () =>
               mayForget
                 ? forgetRun(run.id, signal)

@@ -28,7 +28,7 @@ import { introduction } from './introduction';
 import { keptHere, keptOnServer, keptWords } from './keeping';
 import { keptList } from './kept';
 import { livePanel, measureOf } from './live';
-import { modelExcerpt, modelWords } from './model_faults';
+import { modelWords, showSlip } from './model_faults';
 import { nextTests } from './next';
 import {
   isDone,
@@ -207,8 +207,7 @@ export class PlanPage {
     const said = fault instanceof ApiError ? new ApiError(words, fault.status) : fault;
     fill(this.fault, problem(said));
     this.fault.scrollIntoView({ block: 'nearest' });
-    const shown = this.fault.firstChild;
-    void modelExcerpt(message, model).then((lines) => lines && shown?.after(lines));
+    void showSlip(message, model, this.fault.firstElementChild!, this.form);
   }
 
   /** What comes next is said below the job. */

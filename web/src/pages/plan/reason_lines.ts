@@ -18,6 +18,16 @@ function closing(text: string, from: number): number {
   return -1;
 }
 
+/** What is said of designs, as it is of tests. */
+function plainly(why: string): string {
+  return why.replace(
+    /^one change at a time takes (\d+) blocks: (SCCD\((\d+),(\d+)\))$/,
+    (_, tests: string, design: string, _v, k: string) =>
+      `with one change at a time it takes ${tests} tests, as in the design ${design}: ${k} parts ` +
+      `for the first test and ${Number(tests) - 1} changes after it`,
+  );
+}
+
 /** The first words of a line are what it says, the rest is why. */
 interface ReasonLine {
   said: string;
@@ -45,13 +55,15 @@ export function linesOf(reason: string, bound: string): ReasonLine[] {
     if (end < 0) {
       break;
     }
-    lines.push({ said: `At least ${found[1]}`, why: rest.slice(open + 1, end) });
+    lines.push({ said: `At least ${found[1]}`, why: plainly(rest.slice(open + 1, end)) });
     rest = rest.slice(end + 1);
   }
   rest = rest.replace(/^, (?:and )?/, '').replace(/ \(docs\/plan\.md, The lower bound\)/g, '');
   if (rest !== '') {
     const together = lines.some(({ said }) => said !== '');
-    lines.push({ said: together ? 'Together' : '', why: rest });
+    // Where all lists were looked through, that says more.
+    const whole = states ? 'Together' : `Together at least ${bound}`;
+    lines.push({ said: together ? whole : '', why: rest });
   }
   if (states) {
     lines.push({

@@ -6,6 +6,9 @@ const planned = /^(?:day (\d+)|(\d{4}-\d\d-\d\d)), (\d+):(\d\d)$/;
 const weekdays = ['Sun', 'Mon', 'Tue', 'Wed', 'Thu', 'Fri', 'Sat'];
 const months = 'Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec'.split(' ');
 
+/** "4 Dec", as this place counts days */
+export const dayOf = (time: Date): string => `${time.getDate()} ${months[time.getMonth()]}`;
+
 /** "Fri 4 Dec" for 2026-12-04, or for a later day. */
 export function dateWords(date: string, later = 0): string {
   const day = new Date(`${date}T00:00:00Z`);

@@ -135,6 +135,7 @@ export function whatIf(
   /** How much more a change costs beside a test than it did. */
   const factor = () =>
     testCost > 0 && base > 0 && test.value() > 0 ? times() / (test.value() / testCost) : null;
+  const isOwn = () => test.value() === testCost && change.value() === base;
   /** The same as the library counts: the ratio of costs, or that factor. */
   const unitOf = () => (found && /factor/.test(found.by) ? 1 : changeCost / testCost);
   const rangeAt = (at: number) =>
@@ -143,7 +144,7 @@ export function whatIf(
     ) ?? null;
 
   function settle(): void {
-    const same = test.value() === testCost && change.value() === base;
+    const same = isOwn();
     anew.disabled = same;
     const here = factor();
     const mark = same ? 'These are your costs. ' : '';
@@ -231,6 +232,7 @@ export function whatIf(
       xText: (x) => about(/factor/.test(answer.by) ? x : x * testCost),
       yText: about,
       mark: () => (factor() ?? 1) * unit,
+      markText: () => (isOwn() ? 'your costs' : 'these costs'),
       fromZero: true,
     });
     const lines = plans.slice(0, 6).map((_, i): Line => ({
@@ -282,7 +284,7 @@ export function whatIf(
               h(
                 'th',
                 { class: 'number' },
-                /factor/.test(answer.by) ? 'change costs ×' : 'cost of a change',
+                /factor/.test(answer.by) ? 'change costs\u00a0×' : 'cost of a change',
               ),
               h('th', {}, 'cheapest plan'),
             ),
