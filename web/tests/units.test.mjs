@@ -151,6 +151,7 @@ test('the look-up box understands cells, labels and designs', () => {
   assert.equal(to('20.5.2.circular.29'), '#/design?label=20.5.2.circular.29');
   assert.equal(to('0 1 2\n1 2 3'), '#/verify?pasted=1');
   assert.equal(understand('{"v":3}', 2, 'linear').paste, '{"v":3}');
+  assert.equal(understand('0 1 2; 1 2 3 ;0 1 3', 2, 'linear').paste, '0 1 2\n1 2 3\n0 1 3');
   for (const wrong of ['', '20', 'hello', '20 5 6 7', '20 5 kangaroo']) {
     assert.ok('problem' in understand(wrong, 2, 'linear'), wrong);
   }

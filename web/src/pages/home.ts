@@ -3,6 +3,7 @@ import { fill, h, svg, type Child } from '../lib/dom';
 import { atlasOf, isHeld } from '../lib/source';
 import { count, number, rangeWords } from '../lib/words';
 import { command } from '../parts/command';
+import { copyButton } from '../parts/copy';
 import { about, isCopy } from '../shell/about';
 import { link, type Page, type View } from '../shell/router';
 import { lookUp } from './catalog/look_up';
@@ -194,7 +195,18 @@ function goOn(): HTMLElement {
         h(
           'ul',
           { class: 'plain-list commands' },
-          lines.map((line) => h('li', {}, command(line))),
+          lines.map((line) =>
+            h(
+              'li',
+              {},
+              h(
+                'div',
+                { class: 'command' },
+                command(line),
+                copyButton('Copy', () => line),
+              ),
+            ),
+          ),
         ),
       );
 }

@@ -56,7 +56,10 @@ async function render(view: View): Promise<void> {
   }
   const { go } = form;
   let running: AbortController | null = null;
-  const result = h('div', { class: 'result' });
+  const said = h('div', { class: 'load-said' });
+  const result = h('div', { class: 'result load-result' });
+  /** What the order that is shown answers, and its loads. */
+  let shown: { question: string; loads: number } | null = null;
 
   /** `waited`: the reader asked for it, and is taken to the answer. */
   async function run(waited: boolean): Promise<void> {
@@ -65,32 +68,50 @@ async function render(view: View): Promise<void> {
     const stop = () => mine.abort();
     view.signal.addEventListener('abort', stop, { once: true });
     go.disabled = true;
+    let misread = false;
+    let waiting: ReturnType<typeof setInterval> | undefined;
     try {
+      form.clear();
       const asked = form.read();
       view.go(await form.linked(asked), { quiet: true });
-      fill(
-        result,
-        h(
-          'p',
-          { class: 'note', role: 'status' },
-          asked.seconds > 0
-            ? `Searching for up to ${asked.seconds} s … `
-            : 'Looking for an order … ',
-          h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop'),
-        ),
+      const question = JSON.stringify({ ...asked, seconds: 0 });
+      const before = shown?.question === question ? shown.loads : null;
+      const bar = h('progress', {
+        max: Math.max(1, asked.seconds),
+        value: 0,
+        'aria-label': 'Time',
+      });
+      const note = h(
+        'p',
+        { class: 'note searching', role: 'status' },
+        asked.seconds > 0
+          ? `Searching for up to ${asked.seconds} s for fewer loads${before === null ? '' : ` than ${number(before)}`} … `
+          : 'Looking for an order … ',
+        asked.seconds > 0 && bar,
+        h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop'),
       );
+      fill(said, note);
+      // The order that is there stays, as long as it answers the same question.
+      before === null ? fill(result) : result.classList.add('old');
+      waiting = setInterval(() => (bar.value += 0.5), 500);
       const answer = await post('loadorder', {}, requestOf(asked), mine.signal);
-      show(answer, asked);
+      show(answer, asked, asked.seconds > 0 ? before : null);
+      fill(said);
+      shown = { question, loads: answer.order.makespan ?? answer.loads };
       announce(count(answer.loads, 'load'));
     } catch (fault) {
       if (!view.signal.aborted) {
-        fill(result, mine.signal.aborted ? h('p', { class: 'note' }, 'Stopped.') : problem(fault));
+        misread = form.fault(fault);
+        const words = mine.signal.aborted ? h('p', { class: 'note' }, 'Stopped.') : problem(fault);
+        fill(said, misread ? null : words);
       }
     } finally {
+      clearInterval(waiting);
       view.signal.removeEventListener('abort', stop);
       if (running === mine) {
+        result.classList.remove('old');
         go.disabled = false;
-        if (waited && !view.signal.aborted) {
+        if (waited && !misread && !view.signal.aborted) {
           leadToResult(form.element, go, result);
         }
       }
@@ -106,7 +127,7 @@ async function render(view: View): Promise<void> {
     return drawing.signal;
   }
 
-  function show(answer: Ordered, asked: Asked): void {
+  function show(answer: Ordered, asked: Asked, before: number | null): void {
     const command = commandOf(asked);
     const steps = stepList(answer);
     fill(
@@ -114,7 +135,7 @@ async function render(view: View): Promise<void> {
       h(
         'div',
         { class: 'columns loadorder-parts loadorder-head' },
-        headline(answer, asked, (seconds) => (form.searchFor(seconds), void run(true))),
+        headline(answer, asked, (seconds) => (form.searchFor(seconds), void run(true)), before),
         shares(answer, asked) ?? levels(answer, asked) ?? comparison(answer, asked),
       ),
       asked.workers > 1 && levels(answer, asked),
@@ -177,8 +198,8 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'Items lie on a disk, and only some fit into memory. Each pair must be in memory ' +
-        'together once, to compute distances or a Gram matrix, or to train on edges between ' +
+      'Items lie on a disk, and only some fit into memory. Every two items must be in memory ' +
+        'together at some time, to compute distances or a Gram matrix, or to train on edges between ' +
         'partitions. This page says what to load and what to evict at each step, with as few ' +
         'loads as possible. Try ',
       h(
@@ -210,6 +231,7 @@ async function render(view: View): Promise<void> {
       '.',
     ),
     form.element,
+    said,
     result,
   );
   await run(chosenExample.taken());

@@ -16,6 +16,12 @@ export function understand(text: string, change: number, kind: Kind): Found {
   if (/\n/.test(plain) || /[{<[]/.test(plain)) {
     return { to: link('verify', { pasted: 1 }), paste: text };
   }
+  // A design on one line: 0 1 2; 1 2 3; 0 1 3.
+  const blocksOf = plain.split(/\s*[;/]\s*/).filter((block) => block !== '');
+  const sizes = new Set(blocksOf.map((block) => block.split(/[\s,]+/).length));
+  if (blocksOf.length > 1 && sizes.size === 1 && !sizes.has(1) && !plain.includes('=')) {
+    return { to: link('verify', { pasted: 1 }), paste: blocksOf.join('\n') };
+  }
   const cell = cellOfLabel(plain);
   if (cell) {
     const rest = plain.replace(/^\d+\.\d+\.\d+\.(circular|linear)(\.t\d+)?/, '');

@@ -1,9 +1,10 @@
 // What is asked of an order of loads: the usual fields, and the rest in groups that open.
-import { field, h, select } from '../../lib/dom';
+import { field, fill, h, select } from '../../lib/dom';
 import { longestWord, pack, unpack } from '../../lib/share';
 import { count, number } from '../../lib/words';
 import { group } from '../../parts/group';
 import { more } from '../../parts/more';
+import { problem } from '../../shell/router';
 import { bytesOf } from './naive';
 import type { Asked } from './order';
 
@@ -27,10 +28,23 @@ export interface LoadForm {
   linked(asked: Asked): Promise<Record<string, string | number | null>>;
   /** Writes how long is searched, one of the times that are offered. */
   searchFor(seconds: number): void;
+  /** Says what is wrong with a field beside it; false if it is not of a field. */
+  fault(why: unknown): boolean;
+  clear(): void;
 }
 
 const lines = (text: string): number =>
   text.split('\n').filter((line) => line.trim() !== '' && !line.trim().startsWith('#')).length;
+
+/** What is wrong with a field. */
+class Misread extends Error {
+  constructor(
+    message: string,
+    readonly control: HTMLElement,
+  ) {
+    super(message);
+  }
+}
 
 /** The form as the link fills it. */
 export async function loadForm(params: URLSearchParams, submitted: () => void): Promise<LoadForm> {
@@ -167,7 +181,7 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
       folded.open = true;
     }
     others.open(true);
-    return new Error(words);
+    return new Misread(words, control);
   }
 
   function readSizes(): Pick<Asked, 'sizes' | 'memory' | 'fastMemory'> {
@@ -196,17 +210,19 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
     const sized = readSizes();
     const named = items.value === '' && (pairs.value.trim() !== '' || sized.sizes !== null);
     if (!named && (!Number.isInteger(p) || p < 1)) {
-      throw new Error('Items: write how many there are, such as 64.');
+      throw wrong(items, 'Items: write how many there are, such as 64.');
     }
     if (sized.sizes === null && (room.value === '' || !Number.isInteger(c) || c < 2)) {
-      throw new Error(
+      throw wrong(
+        room,
         'Room: write how many items are in memory at once, at least 2; with less no pair ever ' +
           'meets.',
       );
     }
     const there = fast.value === '' || sized.sizes !== null ? null : Number(fast.value);
     if (there !== null && (!Number.isInteger(there) || there < 2 || there > c)) {
-      throw new Error(
+      throw wrong(
+        fast,
         `Accelerator: write 2 to ${c}, how many of the items in memory are on it, or ` +
           'leave it empty.',
       );
@@ -256,6 +272,24 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
     };
   }
 
+  const said = h('div', { class: 'misread' });
+  function clear(): void {
+    fill(said);
+    [items, room, fast, memory, sizes, epochs, disjoint].forEach((each) =>
+      each.removeAttribute('aria-invalid'),
+    );
+  }
+  function fault(why: unknown): boolean {
+    if (!(why instanceof Misread)) {
+      return false;
+    }
+    const { control } = why;
+    fill(said, problem(why));
+    (control.closest('.row') ?? control.closest('.field') ?? control).after(said);
+    control.setAttribute('aria-invalid', 'true');
+    control.focus();
+    return true;
+  }
   const element = h(
     'form',
     {
@@ -294,5 +328,5 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
   const searchFor = (seconds: number): void => {
     time.value = String(seconds);
   };
-  return { element, go, read, linked, searchFor };
+  return { element, go, read, linked, searchFor, fault, clear };
 }

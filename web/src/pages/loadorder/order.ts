@@ -57,8 +57,8 @@ function over(loads: number, { kept, loads: bound }: Bounds): string {
   return loads <= bound ? none : `${none} than ${number(bound)}, so ${atMost(loads, bound)}`;
 }
 
-const atMost = (loads: number, bound: number): string =>
-  `this one has at most ${((100 * (loads - bound)) / bound).toFixed(1)}\u00a0% more than the least ` +
+const atMost = (loads: number, bound: number, who = 'this one'): string =>
+  `${who} has at most ${((100 * (loads - bound)) / bound).toFixed(1)}\u00a0% more than the least ` +
   'possible';
 
 /** The same of the busiest of several workers. */
@@ -67,7 +67,7 @@ function shareOver(loads: number, bound: number, kept: boolean): string {
     loads <= bound
       ? 'no other way to share the work makes that fewer'
       : `one worker has at least ${number(bound)} however the work is shared, so ` +
-        atMost(loads, bound);
+        atMost(loads, bound, `the busiest, with ${number(loads)},`);
   return kept ? `With ${keptWords}, ${words}` : words[0]!.toUpperCase() + words.slice(1);
 }
 
@@ -129,6 +129,15 @@ function epochWords({ order: { epoch_loads: loads = [] } }: Ordered): HTMLElemen
 
 const keptWords = 'one place kept for the item that is loading';
 
+/** From so many blocks to so many loads; '' where the reason is not one of blocks. */
+function lastStep(why: string, room: number, bound: number): string {
+  const blocks = Number(/(\d+)\D*$/.exec(why)?.[1]);
+  return /^loads from number \d+ on make blocks/.test(why) && room + blocks - 1 === bound
+    ? `The first block takes ${count(room, 'load')}, each of the ${number(blocks - 1)} after it at ` +
+        `least one: ${number(room)} + ${number(blocks - 1)} = ${number(bound)} loads.`
+    : '';
+}
+
 /** The reasons of all bounds that are shown, each with what it is of. */
 function reasons(answer: Ordered): [of: string, why: string][] {
   const { order } = answer;
@@ -151,11 +160,15 @@ function reasons(answer: Ordered): [of: string, why: string][] {
   return found.flatMap(([of, why]): [string, string][] => (why === undefined ? [] : [[of, why]]));
 }
 
-/** `search` looks for fewer loads for so many seconds. */
+/**
+ * `search` looks for fewer loads for so many seconds; `before` are the loads without this search, if
+ * that was asked.
+ */
 export function headline(
   answer: Ordered,
   asked: Asked,
   search: (seconds: number) => void,
+  before: number | null,
 ): HTMLElement {
   const { order } = answer;
   const pairs = answer.pairs / (order.epochs ?? 1);
@@ -164,6 +177,15 @@ export function headline(
   const { kept, makespan: spanBound } = bounds;
   const given = kept ? ' with a place kept' : '';
   const shared = makespan !== undefined && spanBound !== undefined && workers !== undefined;
+  const searchButton = (seconds: number) =>
+    h(
+      'button',
+      { type: 'button', class: 'plain', onclick: () => search(seconds) },
+      `Search ${seconds} seconds for fewer`,
+    );
+  const open = shared ? makespan > spanBound : loads > bounds.loads;
+  const longer =
+    open && asked.sizes === null && asked.seconds < longest ? [' ', searchButton(longest)] : null;
   return h(
     'div',
     { class: 'verdict valid', role: 'status' },
@@ -219,18 +241,8 @@ export function headline(
             'command line has no such limit.',
         )
       : asked.seconds > 0
-        ? h('p', {}, `Searched for ${asked.seconds} s for fewer loads.`)
-        : asked.sizes === null &&
-          (shared ? makespan > spanBound : loads > bounds.loads) &&
-          h(
-            'p',
-            {},
-            h(
-              'button',
-              { type: 'button', class: 'plain', onclick: () => search(10) },
-              'Search 10 seconds for fewer',
-            ),
-          ),
+        ? h('p', {}, searchedWords(asked.seconds, makespan ?? loads, before, shared), longer)
+        : asked.sizes === null && open && h('p', {}, searchButton(10)),
     asked.sizes === null &&
       asked.room > order.items &&
       h(
@@ -244,7 +256,17 @@ export function headline(
       'details',
       {},
       h('summary', {}, 'Why not fewer'),
-      reasons(answer).map(([of, why]) => h('p', {}, of, reason(why))),
+      reasons(answer).map(([of, why]) => {
+        const last =
+          lastStep(why, kept?.room ?? order.room, bounds.loads) ||
+          lastStep(why, order.room, order.lower_bound);
+        return h(
+          'div',
+          {},
+          h('p', {}, of, reason(why)),
+          last !== '' && h('p', { class: 'last-step' }, last),
+        );
+      }),
     ),
     h(
       'details',
@@ -253,6 +275,25 @@ export function headline(
       h('p', {}, reason(order.explanation)),
     ),
   );
+}
+
+/** How long the page searches at most, in seconds. */
+const longest = 25;
+
+function searchedWords(
+  seconds: number,
+  loads: number,
+  before: number | null,
+  shared: boolean,
+): string {
+  const who = shared ? ' of the busiest worker' : '';
+
+  return before === null
+    ? `Searched for ${seconds} s for fewer loads.`
+    : loads < before
+      ? `A search of ${seconds} s found an order with ${number(before - loads)} fewer loads${who} ` +
+        `than the ${number(before)} before.`
+      : `A search of ${seconds} s found no order with fewer loads${who}.`;
 }
 
 export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {

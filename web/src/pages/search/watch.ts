@@ -351,7 +351,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
         ? 'no lower bound is known'
         : `the lower bound is ${number(job.lower_bound)}`;
     words.textContent =
-      `${states[job.state]} after ${seconds(job.seconds)}` +
+      `${states[job.state]} ${!running && job.seconds < 0.5 ? 'at once' : `after ${seconds(job.seconds)}`}` +
       `${running ? ` of ${seconds(job.limit)}` : ''}${known ? '' : `; ${bound}`}.`;
     // What the figures and the table say already is not said again.
     message.textContent =
@@ -361,7 +361,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
           ? ''
           : job.message.startsWith('minimum: as many blocks as the lower bound')
             ? job.message.replace(/^minimum: as many blocks as the lower bound(; )?/, '')
-            : plainly(job.message);
+            : `${running && job.message !== '' ? 'Now: ' : ''}${plainly(job.message)}`;
     message.classList.toggle('problem', job.state === 'failed');
     progress.hidden = !running;
     progress.value = Math.min(1, job.seconds / job.limit);

@@ -68,7 +68,11 @@ export function result(job: SearchJob): string {
     return 'The search failed';
   }
   if (state === 'running') {
-    return best === null ? 'Searching: nothing yet' : `Searching: ${found(job)} so far`;
+    return best === null
+      ? 'Searching: nothing yet'
+      : isNew(job) || best === bound
+        ? `Searching: ${found(job)} so far`
+        : `Searching for fewer than ${count(best, 'block')}`;
   }
   return best === null
     ? 'No design was found'
