@@ -425,8 +425,10 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
                     max_elements_in_memory));
   }
   if (options.threads > most_job_threads || options.readers > most_job_threads) {
-    throw BadInput(fmt::format("{} threads and {} readers are too many; give at most {} of each",
-                               options.threads, options.readers, most_job_threads));
+    const bool is_threads = options.threads > most_job_threads;
+    throw BadInput(fmt::format("{} {} are too many; give at most {}",
+                               is_threads ? options.threads : options.readers,
+                               is_threads ? "threads" : "readers", most_job_threads));
   }
   if (options.share.index >= options.share.of) {
     throw BadInput(fmt::format(

@@ -89,7 +89,12 @@ FileItems::FileItems(const std::string& path, std::uint64_t item_bytes,
   s.file_bytes = static_cast<std::uint64_t>(status.st_size);
   if (s.file_bytes <= s.header_bytes) {
     throw BadInput(
-        fmt::format("{}: has {} bytes and holds no item; name another file", path, s.file_bytes));
+        s.header_bytes == 0
+            ? fmt::format("{}: has {} bytes and holds no item; name another file", path,
+                          s.file_bytes)
+            : fmt::format("{}: has {} bytes, and its header of {} leaves no item; give a shorter "
+                          "header, or name another file",
+                          path, s.file_bytes, s.header_bytes));
   }
   if (const std::uint64_t last = s.data_bytes() % item_bytes; options.whole_items && last != 0) {
     throw BadInput(fmt::format(

@@ -121,9 +121,7 @@ class UpdateJob {
     }
     VersionedItems items(options_.data, beside_, facts_.items, options_.item_bytes,
                          {claim.finish(), {}}, options_.before_write);
-    const bool had_journal =
-        std::filesystem::exists(options_.journal) && !std::filesystem::is_empty(options_.journal);
-    if (!had_journal && std::filesystem::exists(beside_)) {
+    if (!has_journal() && is_there(beside_)) {
       throw BadInput(fmt::format(
           "{}: is there, but its journal {} is not, so {} may be half changed; bring the journal "
           "back, or restore the data and remove this file",
@@ -211,9 +209,30 @@ class UpdateJob {
     }
   }
 
+  // What cannot be looked at is not there; what opens it says why.
+  [[nodiscard]] static bool is_there(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+  }
+
+  // Whether there is a journal with something in it. @throws BadInput for what cannot be one
+  [[nodiscard]] bool has_journal() const {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(options_.journal, ignored);
+    if (!std::filesystem::exists(status)) {
+      return false;
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+      throw BadInput(options_.journal +
+                     ": is not a regular file, so it cannot be a journal; name another");
+    }
+    const auto bytes = std::filesystem::file_size(options_.journal, ignored);
+    return !ignored && bytes > 0;
+  }
+
   // Checks that the second file matches the journal.
   void check_beside(const Journal& journal) const {
-    const bool there = std::filesystem::exists(beside_);
+    const bool there = is_there(beside_);
     if (journal.records().empty()) {
       if (there && !journal.note().empty()) {
         throw BadInput(fmt::format(

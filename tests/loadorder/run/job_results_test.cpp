@@ -487,7 +487,12 @@ TEST(JobThreads, ThatCannotBeStartedAreOneFaultAndNoAbort) {
     options.threads = many;
     EXPECT_REFUSAL(all_pairs(
                        source, plan_load_order(5, 3), [](const PairWork&) {}, options),
-                   BadInput, "readers are too many; give at most");
+                   BadInput, std::to_string(many) + " threads are too many; give at most 4096");
+    options.threads = 1;
+    options.readers = many;
+    EXPECT_REFUSAL(all_pairs(
+                       source, plan_load_order(5, 3), [](const PairWork&) {}, options),
+                   BadInput, std::to_string(many) + " readers are too many; give at most 4096");
   }
 }
 

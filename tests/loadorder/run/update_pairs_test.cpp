@@ -324,5 +324,22 @@ TEST(UpdatePairs, RefusesWhatIsWrongAndEndsWithWhatIsThrown) {
   EXPECT_THROW(update_pairs(order, mixer(), options), BadInput);
 }
 
+TEST(UpdatePairs, RefusesAJournalThatIsNoFile) {
+  const LoadOrder order = plan_disjoint_order(12, 3, 2);
+  const TemporaryFolder folder;
+  spit(folder.file("data"), content(12));
+  UpdateOptions options = options_in(folder);
+  for (const std::string& path :
+       {std::string("/dev/full"), std::string("/dev/null"), std::string(folder.path())}) {
+    options.journal = path;
+    EXPECT_REFUSAL(update_pairs(order, mixer(), options), BadInput,
+                   path + ": is not a regular file, so it cannot be a journal; name another");
+  }
+  EXPECT_EQ(slurp(folder.file("data")), content(12));
+  options.journal = folder.file("data") + "/below";
+  EXPECT_REFUSAL(update_pairs(order, mixer(), options), MissingResource,
+                 ": the journal cannot be opened");
+}
+
 }  // namespace
 }  // namespace changeover::test::update_pairs_test
