@@ -72,16 +72,7 @@ class PartFinder {
         return found->second;
       }
     }
-    if (!numbers_count_) {
-      return std::nullopt;
-    }
-    std::size_t number = 0;
-    const char* const end = word.data() + word.size();
-    const auto [rest, failure] = std::from_chars(word.data(), end, number);
-    if (failure == std::errc() && rest == end && number >= 1 && number <= names_->size()) {
-      return static_cast<Element>(number - 1);
-    }
-    return std::nullopt;
+    return numbers_count_ ? part_number(word) : std::nullopt;
   }
 
   // Finds the part of a cell, which has `text` if csv_cell() wrote it and not a spreadsheet.
@@ -165,7 +156,8 @@ class PartFinder {
       return fmt::format("there is no part {}; did you mean {}?", shown(word),
                          shown(without_piece(*nearest)));
     }
-    return numbers_count_
+    // Where only names count, a number that another list could have is none.
+    return numbers_count_ && !part_number(word)
                ? fmt::format(
                      "there is no part {}; give a name of the parts list or a number from 1 to {}",
                      shown(word), names_->size())
@@ -191,6 +183,17 @@ class PartFinder {
   }
 
  private:
+  // The part with this number, from 1.
+  [[nodiscard]] std::optional<Element> part_number(const std::string& word) const {
+    std::size_t number = 0;
+    const char* const end = word.data() + word.size();
+    const auto [rest, failure] = std::from_chars(word.data(), end, number);
+    if (failure == std::errc() && rest == end && number >= 1 && number <= names_->size()) {
+      return static_cast<Element>(number - 1);
+    }
+    return std::nullopt;
+  }
+
   // The part of which this is a further piece: "DIMM A #2" without its number.
   [[nodiscard]] std::string without_piece(const std::string& name) const {
     const std::string part = name.substr(0, name.rfind(" #"));

@@ -237,6 +237,19 @@ class JobMaker {
     const bool is_here = !question_->places.before("benches").empty();
     const std::string& file = question_->benches.file;
     check_benches(any, benches_, file.empty() && is_here ? "benches" : file);
+    check_beside_mounted(job);
+  }
+
+  // What stays on all benches is checked as on one.
+  void check_beside_mounted(const Job& job) const {
+    const auto as_job = [](const Bench& bench) { return !bench.mounted && !bench.at_once; };
+    const bool is_plain = job.model == nullptr && job.slots.empty() && job.triples.empty();
+    if (std::ranges::all_of(benches_, as_job) && is_plain && !job.mounted.empty()) {
+      Job one = job;
+      one.start.clear();
+      one.first.clear();
+      check(one);
+    }
   }
 
   // The unit of costs: as requested, or as in the list.

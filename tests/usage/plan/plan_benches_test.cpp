@@ -173,6 +173,30 @@ TEST(PlanBenches, GoOnWithTheirWorkbookAlone) {
       << "what was there stays";
 }
 
+// What stays mounted on every bench leaves no room for some pairs on any: as on one bench.
+TEST(PlanBenches, PairsBesideWhatStaysMounted) {
+  const TemporaryFolder folder;
+  spit(folder.file("own.csv"), "bench,mounted\nNorth,\"1, 2, 3\"\nSouth,\n");
+  spit(folder.file("wide.csv"), "bench,at once\nNorth,5\nSouth,\n");
+  spit(folder.file("never.csv"), "1,4\n");
+  spit(folder.file("slots.csv"), "part,slot\n1,x\n2,x\n3,y\n4,y\n5,y\n6,y\n");
+  const std::string all = "--items 6 --mounted 1,2,3 ";
+  const std::string refusal =
+      "4 and 5 must meet, but beside the 3 that stay mounted there is no room for both (and 2 more "
+      "like this); keep fewer parts mounted, or let more parts fit at once";
+  const std::string never =
+      "2 and 4 must meet, but 4 must never be in one set-up with 1, which stays mounted";
+  expect({{plan(all), 2, refusal},
+          {plan(all + "--benches 1"), 2, refusal},
+          {plan(all + "--benches 2"), 2, refusal},
+          {plan("--items 6 --mounted 1 --never never.csv"), 3, never},
+          {plan("--items 6 --mounted 1 --never never.csv --benches 2"), 3, never},
+          {plan(all + "--benches wide.csv"), 0, "15 of 15 needed pairs"},
+          {plan("--items 6 --benches own.csv"), 0, "15 of 15 needed pairs"},
+          {plan("slots.csv --slot x=1..2,y=1 --mounted 1 --benches 2"), 0, "cannot meet on any"}},
+         folder);
+}
+
 TEST(PlanBenches, APartBreaks) {
   const TemporaryFolder folder;
   write_lab(folder);

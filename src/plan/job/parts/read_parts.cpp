@@ -213,10 +213,7 @@ class PartReader {
   }
 
   [[nodiscard]] std::string note() const {
-    if (reader_->is_given()) {
-      return "";
-    }
-    std::string text = columns_.note;
+    std::string text = reader_->is_given() ? "" : columns_.note;
     const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
     if (!total_.empty()) {
       add(fmt::format("the last row, {}, is a sum and no part", shown(total_)));
