@@ -13,6 +13,9 @@ pair of elements meets in some block and consecutive blocks differ in exactly m 
 verified. What takes long lets other threads run, and Ctrl-C ends it.
 """
 
+import importlib
+import typing
+
 from . import _core, catalog
 from .catalog import Entry
 from .designs import (
@@ -24,6 +27,17 @@ from .orders import (
 from .pictures import Picture
 from .plans import Answer, BenchSheets, RunSheet, plan
 from .searches import Classification, SearchResult, classify, search
+
+if typing.TYPE_CHECKING:
+    from . import cluster as cluster
+else:
+
+    def __getattr__(name):
+        """changeover.cluster is loaded when it is needed."""
+        if name == "cluster":
+            return importlib.import_module("changeover.cluster")
+        raise AttributeError(f"module 'changeover' has no attribute '{name}'")
+
 
 __version__: str = _core.__version__
 

@@ -8,12 +8,15 @@ import itertools
 import json
 import operator
 import os
+import re
+from collections.abc import Mapping
+from decimal import Decimal
 from typing import Any, Iterable, Iterator, NoReturn, Optional
 
 from . import _core
 from ._given import (
-    has_numbered_rows, is_bytes, is_data_frame, is_missing, is_text, is_whole, leads_from_keys,
-    listed, rows_of, words_of)
+    attempt, has_numbered_rows, is_bytes, is_data_frame, is_missing, is_text, is_whole,
+    leads_from_keys, listed, rows_of, truth_of, words_of)
 from .errors import BadInput
 
 _most_parts = 1000
@@ -22,9 +25,23 @@ _wanted_of_done = ("done has set-ups, lists of parts, each alone or as (set-up, 
                    "result is True, False, None or a text")
 
 
+def _written_out(value: Any) -> str:
+    """A number as it is written, without an exponent."""
+    words = words_of(value)
+    if not is_text(value) and re.fullmatch(r"-?[0-9.]+[eE][+-]?[0-9]{1,2}", words):
+        words = format(Decimal(words), "f")
+    return words
+
+
+def _count(value: Any) -> str:
+    """A count as it is written; pandas makes floats of whole numbers where one is missing."""
+    is_whole_float = not is_text(value) and attempt(float.is_integer, value)
+    return str(int(value)) if is_whole_float else words_of(value)
+
+
 def _amount(argument: str, value: Any) -> str:
     """Numbers, strings and decimals alike, exactly as they are written."""
-    words = words_of(value)
+    words = _written_out(value)
     _core.check_amount(argument, words)
     return words
 
@@ -63,8 +80,11 @@ def _pair(argument: str, pair: Any) -> list[str]:
 
 
 def _pairs(argument: str, pairs: Any) -> list[list[str]]:
-    return [_pair(argument, pair)
-            for pair in _rows(argument, rows_of(argument, "pairs of parts", pairs))]
+    listed_pairs = [_pair(argument, pair)
+                    for pair in _rows(argument, rows_of(argument, "pairs of parts", pairs))]
+    if not listed_pairs:
+        raise BadInput(f"{argument}: no pair is listed; give (a, b) for each")
+    return listed_pairs
 
 
 def _forbidden(pairs: Any) -> list[list[str]]:
@@ -81,8 +101,8 @@ def _forbidden(pairs: Any) -> list[list[str]]:
 
 def _items(argument: str, value: Any) -> list[tuple[Any, Any]]:
     """What is in a dict now: to read it runs code of the caller, which may change it."""
-    if not isinstance(value, dict):
-        raise BadInput(f"{argument} is a dict, not {_core.quoted(words_of(repr(value)))}")
+    if not leads_from_keys(value):
+        raise TypeError(f"{argument} is a dict, not {_core.quoted(words_of(repr(value)))}")
     return list(value.items())
 
 
@@ -96,16 +116,16 @@ def result_of(result: Any) -> Optional[str]:
 
 
 def _done_setup(setup: Any, of_model: bool) -> Any:
-    if of_model and isinstance(setup, dict):
+    if of_model and isinstance(setup, Mapping):
         return _setup("done", setup, of_model)
     return _in_places(setup)
 
 
 def _test(test: Any, of_model: bool) -> Any:
-    if of_model and isinstance(test, dict) and "parts" not in test:
+    if of_model and isinstance(test, Mapping) and "parts" not in test:
         return _done_setup(test, of_model)
     bench: dict[str, str] = {}
-    if isinstance(test, dict):
+    if isinstance(test, Mapping):
         if not {"parts"} <= test.keys() <= {"parts", "result", "bench"}:
             raise BadInput('a dict in done has "parts", and may have "result" and "bench"; '
                            "remove other keys")
@@ -121,18 +141,18 @@ def _test(test: Any, of_model: bool) -> Any:
         return _in_places(test)
     said = result_of(result)
     if said is None:
-        raise BadInput(_wanted_of_done)
+        raise BadInput(f"{_wanted_of_done}, not {_core.quoted(words_of(repr(result)))}")
     return {"parts": _done_setup(setup, of_model), "result": said, **bench}
 
 
-def _bench_of(setup: dict[str, Any]) -> dict[str, str]:
+def _bench_of(setup: Mapping[str, Any]) -> dict[str, str]:
     """On which bench a set-up is, by name or number, if that is said."""
     bench = setup.get("bench")
     return {} if is_missing(bench) else {"bench": words_of(bench)}
 
 
 def _first(setup: Any, of_model: bool) -> Any:
-    if of_model or not isinstance(setup, dict):
+    if of_model or not isinstance(setup, Mapping):
         return _setup("first", setup, of_model)
     if not {"parts"} <= setup.keys() <= {"parts", "bench"}:
         raise BadInput('a dict in first has "parts", and may have "bench"; remove other keys')
@@ -140,14 +160,14 @@ def _first(setup: Any, of_model: bool) -> Any:
 
 
 _of_benches = {
-    "name": "words", "at_once": "words", "test_cost": "amount", "change_factor": "amount",
+    "name": "words", "at_once": "count", "test_cost": "amount", "change_factor": "amount",
     "slots": "slots", "mounted": "names", "start": "names", "own": "names", "without": "names",
     "hours": "amount", "down": "choice"}
 
 
 def _bench(given: Any) -> Any:
     """A bench by its name, or as a dict of what it does not have from the job."""
-    if not isinstance(given, dict):
+    if not leads_from_keys(given):
         return {"name": _part_named(given, "benches")}
     bench: dict[str, Any] = {}
     for key, value in given.items():
@@ -165,10 +185,24 @@ def _bench(given: Any) -> Any:
         elif kind == "amount":
             bench[key] = _amount(argument, value)
         elif kind == "choice":
-            bench[key] = bool(value)
+            bench[key] = truth_of(argument, value)
+        elif kind == "count":
+            bench[key] = _count(value)
         else:
             bench[key] = words_of(value)
     return bench
+
+
+def _benches_listed(given: Any) -> Iterable[Any]:
+    """Of a table of columns a dict for each row."""
+    if not is_data_frame(given):
+        return listed("benches", "names or dicts", given, True)
+    if not has_numbered_rows(given):
+        raise TypeError("benches: the index of the DataFrame would be lost; give reset_index() of "
+                        "it")
+    heads = list(map(words_of, given.columns))
+    rows: Iterable[Any] = given.itertuples(index=False, name=None)
+    return (dict(zip(heads, row)) for row in rows)
 
 
 def benches_of(given: Any) -> Any:
@@ -176,7 +210,7 @@ def benches_of(given: Any) -> Any:
     if is_whole(given):
         return operator.index(given)
     rows = [_bench(bench)
-            for bench in _rows("benches", listed("benches", "names or dicts", given, True))]
+            for bench in _rows("benches", _benches_listed(given))]
     if not rows:
         raise BadInput("benches names none; give how many, or a name or dict for each")
     return rows
@@ -185,7 +219,8 @@ def benches_of(given: Any) -> Any:
 def _slot(name: str, room: Any) -> dict[str, Any]:
     def refuse() -> NoReturn:
         raise BadInput(f"slots says how many parts are in {_core.quoted(name)}: a number, or "
-                       "(least, most) with None for no limit")
+                       "(least, most) with None for no limit, not "
+                       f"{_core.quoted(words_of(repr(room)))}")
 
     def number(given: Any) -> str:
         if not is_whole(given) or not 0 <= operator.index(given) < 1 << 64:
@@ -257,11 +292,13 @@ def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
     text = io.StringIO()
     writer = csv.writer(text)
     writer.writerow(frame.columns)
-    rows = [["" if is_missing(field) else field for field in row]
+    readers = [{"quantity": _count, "cost": _written_out}.get(
+        _core.read_as("heading", words_of(column)), words_of) for column in frame.columns]
+    rows = [["" if is_missing(field) else read(field) for read, field in zip(readers, row)]
             for row in frame.itertuples(index=False, name=None)]
     writer.writerows(rows)
     parts: list[dict[str, str]] = json.loads(_core.read_as("parts", words_of(text.getvalue())))
-    if any(all(words_of(field) == "" for field in row) for row in rows):
+    if any(all(field == "" for field in row) for row in rows):
         raise BadInput("parts: a row without a name; name the part")
     return parts
 
@@ -312,6 +349,8 @@ def _parts(given: Any, slots: Any, slot_of: Any, quantities: Any, needs_costs: b
         parts = [{"name": str(number)} for number in range(1, min(count, _most_parts + 1) + 1)]
     else:
         parts = _parts_in_columns(given) if is_data_frame(given) else _parts_one_by_one(given)
+        if not parts:
+            raise BadInput("parts: no part is listed; give a name for each")
     has_column = any("slot" in part for part in parts)
     if has_column and slot_of is not None:
         raise BadInput("parts has a column slot, and slot_of says the same; give one of them")
@@ -330,7 +369,7 @@ def _parts(given: Any, slots: Any, slot_of: Any, quantities: Any, needs_costs: b
                     f"{argument}: there is no part {_core.quoted(name)}; give a name that "
                     "parts has"
                 )
-            by_name[name][key] = words_of(value)
+            by_name[name][key] = _count(value) if key == "quantity" else words_of(value)
     if needs_costs and not all(part.get("cost") for part in parts):
         raise BadInput("give change_cost, or parts as a dict from names to their change costs")
     return parts
@@ -359,7 +398,7 @@ def _value_costs(costs: Any) -> list[list[str]]:
 
 def _setup(argument: str, setup: Any, of_model: bool) -> list[str]:
     """Names of parts; of a model also a dict from parameters to values."""
-    if of_model and isinstance(setup, dict):
+    if of_model and isinstance(setup, Mapping):
         return [f"{words_of(name)}: {words_of(value)}" for name, value in setup.items()]
     return names_in(argument, setup)
 
@@ -387,6 +426,12 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
             document[argument] = _amount(argument, given[argument])
     if change_costs is not None:
         rows = _value_costs(change_costs) if of_model else _table(change_costs)
+        if not of_model and isinstance(document["parts"], list):
+            names = [part["name"] for part in document["parts"]]
+            lacks = next((name for name in names if name not in rows[0]), None)
+            if lacks is not None:
+                raise BadInput(f"change_costs has no cost for {_core.quoted(lacks)}; give one for "
+                               "every two parts")
         document["change_costs"] = rows
     if given["slots"] is not None:
         document["slots"] = [_slot(words_of(name), room) for name,

@@ -27,10 +27,12 @@ _names_of_files = ("path", "journal")
 
 
 class _Closed(type):
-    """Objects of its classes have no attributes but those that their class says."""
+    """Objects of the classes of this package have no attributes but those that their class says."""
 
     def __new__(cls, name: str, bases: tuple[type, ...], space: dict[str, Any]) -> _Closed:
-        return super().__new__(cls, name, bases, {"__slots__": (), **space})
+        # Those that callers derive have what attributes they like.
+        ours = str(space.get("__module__")).partition(".")[0] == __name__.partition(".")[0]
+        return super().__new__(cls, name, bases, {"__slots__": (), **space} if ours else space)
 
 
 def _not_pickled(self: Any, _protocol: Any = 2) -> Any:
@@ -164,9 +166,18 @@ def _own(value: Any) -> Any:
     return {key: _own(each) for key, each in value.items()} if isinstance(value, dict) else value
 
 
+_facts_of_many = {
+    "v": "Number of elements.", "k": "Elements in a block.", "b": "Number of blocks.",
+    "change": "Elements in which consecutive blocks differ.", "kind": "'linear' or 'circular'.",
+    "strength": "How many elements meet in some block, whichever they are: 2, 3 or 4.",
+    "reason": "Of the bound, one line.", "lower_bound": "No design has fewer blocks.",
+    "standard_forms": "Designs in standard form.", "finished": "All of it is done.",
+    "seconds": "How long it took.", "interrupted": "Ctrl-C ended it."}
+
+
 class _Fact(property):
     def __set_name__(self, owner: type, name: str) -> None:
-        text = self.__doc__
+        text = self.__doc__ or _facts_of_many.get(name)
         property.__init__(self, lambda one: _own(one._facts[name]))
         self.__doc__ = text
 
@@ -278,13 +289,19 @@ def _bound(name: str, signature: inspect.Signature, given: tuple[Any, ...],
         names = ", ".join(each for each in signature.parameters if each != "self")
         return f"{name}(): {fault}; its arguments are {names or 'none'}"
     for argument, value in bound.arguments.items():
+        if argument in _names_of_files:
+            is_optional = signature.parameters[argument].default == ""
+            read = "" if value is None and is_optional else file_name(argument, value)
+            if read is None:
+                return (f"{name}(): {argument} is a string or a pathlib.Path, "
+                        f"not {in_a_line(value)}")
+            bound.arguments[argument] = read
+            continue
         try:
             bound.arguments[argument] = _fitted(signature.parameters[argument].annotation, value)
         except _Misfit as fault:
             words = "a whole number from 1 on" if argument == "threads" else fault
             return f"{name}(): {argument} is {words}, not {in_a_line(value)}"
-        if argument in _names_of_files:
-            file_name(argument, bound.arguments[argument] or "")
         if argument == "progress":
             if not (value is None or isinstance(value, bool) or callable(value)):
                 return (f"{name}(): progress is a function, True, False or None, "

@@ -36,7 +36,7 @@ class Bar:
     def _show_bar(self, said: Dict[str, Any]) -> None:
         self._bar.total = said.get("of")
         self._bar.n = int(said.get("steps") or 0)
-        self._bar.set_description(", ".join(_words(said)), refresh=True)
+        self._bar.set_description_str(", ".join(_words(said)), refresh=True)
 
     def _show_line(self, said: Dict[str, Any]) -> None:
         words = _words(said)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import datetime
 import json
-from typing import Any, Dict, List, Optional
+import re
+from typing import Any, Dict, List, Optional, Union
 
 from . import _core
-from ._made import Kind, Made, check_calls, fact, made
+from ._given import day_of
+from ._made import Kind, Made, check_calls, fact, in_a_line, made
 from .designs import Design, design_of
 from .errors import BadInput
 
 __all__ = ["add", "cell", "entries", "find"]
+_statuses = ("", "minimum", "best-known", "retracted")
 
 
 class Entry(Made):
@@ -27,8 +31,8 @@ class Entry(Made):
     reason: str = fact()
     status: str = fact("'minimum', 'best-known' or 'retracted'.")
     credit: Dict[str, str] = fact("A dict with who, date, program, command.")
-    cites: List[str] = fact()
-    note: str = fact()
+    cites: List[str] = fact("Keys of the references.")
+    note: str = fact("What was said when it was added.")
     retracted: str = fact("Why it is no longer vouched for; empty if it is.")
 
     def _kept(self) -> Any:
@@ -83,14 +87,20 @@ def entries(
 ) -> List[Entry]:
     """A list of the entries that are asked for, by change, kind, k, v, b; the best of each cell
     only unless said."""
+    if status not in _statuses:
+        raise BadInput(f"status is 'minimum', 'best-known' or 'retracted', not {in_a_line(status)}")
     found = _core.Entry.all(v_from, v_to, k_from, k_to, change, kind, status, best_only, users_only)
     return [_entry(core) for core in found]
 
 
-def add(design: Design, *, who: str, date: str, note: str = "") -> str:
+def add(design: Design, *, who: str, date: Union[str, datetime.date], note: str = "") -> str:
     """Puts a design into the user's catalog and returns its label. Raises BadInput if it is
     none."""
-    label: str = _core.Entry.add(design._core, who, date, note)
+    try:
+        label: str = _core.Entry.add(design._core, who, day_of("date", date), note)
+    except BadInput as fault:
+        # No file has the line that is at fault.
+        raise BadInput(re.sub(r"^the design:\d+:\d+: ", "", str(fault))) from None
     return label
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import collections.abc
 import copyreg
 import importlib
 import json
@@ -14,10 +15,10 @@ from typing import (
 )
 
 from . import _core
-from ._given import attempt, listed, rows_of, words_of
+from ._given import Path, attempt, in_bytes, listed, rows_in_buffer, rows_of, words_of
 from ._made import Kind, Made, check_calls, count_of, fact, in_a_line, known, made
 from ._notebook import Shown, latex, shown, table
-from .errors import BadInput
+from .errors import BadInput, ImpossibleParameters
 from .pictures import Picture, PictureKind, Theme, picture_of
 
 Block = Tuple[int, ...]
@@ -57,6 +58,14 @@ class Blocks(_core.Memory):
         if not -count <= place < count:
             raise IndexError(f"the design has {count_of(count, 'block')}")
         return self.row(place % count)
+
+    def index(self, block: Any) -> int:
+        """The place of the first block that is this tuple. Raises ValueError if there is none."""
+        return list(self).index(block)
+
+    def count(self, block: Any) -> int:
+        """How many blocks are this tuple."""
+        return list(self).count(block)
 
     def __len__(self) -> int:
         return self.shape[0]
@@ -292,6 +301,14 @@ class Design(Made):
     def __getitem__(self, index: Any) -> Any:
         return self.blocks[index]
 
+    def index(self, block: Any) -> int:
+        """The place of the first block that is this tuple. Raises ValueError if there is none."""
+        return self.blocks.index(block)
+
+    def count(self, block: Any) -> int:
+        """How many blocks are this tuple."""
+        return self.blocks.count(block)
+
     def _title(self) -> str:
         known = self.verdict
         quality = ", ".join(
@@ -318,10 +335,11 @@ class Design(Made):
 
     def _repr_latex_(self) -> str:
         most_blocks, most_elements = 24, 300
-        if self.b > most_blocks or self.b * self.k > most_elements:
+        names = self.labels or range(self.v)
+        if self.b > most_blocks or self.b * self.k > most_elements or not all(
+                _fits_math(str(name)) for name in names):
             return latex(self._title(), (), *self._rows(), 60, "row")
         heads = " & ".join(f"B_{{{i + 1}}}" for i in range(self.b))
-        names = self.labels or range(self.v)
         rows = [" & ".join(_math(str(names[block[row]])) for block in self.blocks)
                 for row in range(self.k)]
         lines = " \\\\\n".join([heads, *rows])
@@ -352,16 +370,23 @@ class Design(Made):
         return f"<{self._facts['name']}, {count_of(self.b, 'block')}{fault}>"
 
 
+for _each in (Blocks, Design):
+    collections.abc.Sequence.register(_each)
+
+
 def _math(name: str) -> str:
     if name.isdecimal():
         return name
     at_infinity = re.fullmatch("∞(?:_?([A-Za-z0-9]+))?", name)
     if at_infinity:
         return "\\infty" + (f"_{{{at_infinity[1]}}}" if at_infinity[1] else "")
-    # What a letter is to LaTeX and not to MathJax, or the other way round, looks like another one.
-    alike = {"\\": "/", "$": "S", "^": "\u02c6", "~": "\u02dc"}
-    plain = "".join(alike.get(c, "\\" + c if c in "#%&_{}" else c) for c in name)
+    plain = "".join("\\" + c if c in "#%&_{}" else c for c in name)
     return f"\\text{{{plain}}}"
+
+
+def _fits_math(name: str) -> bool:
+    """Whether LaTeX and MathJax show it alike within a formula."""
+    return not set(name) & set("\\$^~")
 
 
 def design_of(core: Any) -> Design:
@@ -393,22 +418,18 @@ class Stream(Made):
         blocks: Blocks = self._core.next(Blocks)
         return blocks
 
+    def __repr__(self) -> str:
+        blocks = count_of(self.b, "block")
+        return f"<Stream: {self.kind}, {blocks} of {self.k} of {self.v} elements>"
+
 
 def _from_numbers(blocks: Any, v: Optional[int], change: Optional[int], *more: Any) -> Any:
     """Of a buffer of two dimensions of whole numbers: those below a v that was said, or all that
     occur if these are 0, 1, …, n−1. None if it is something else, or the numbers are names."""
-    try:
-        view = memoryview(blocks)
-    except Exception:
+    found = rows_in_buffer(blocks)
+    if found is None:
         return None
-    form = view.format
-    kinds = [sizes for letters, sizes in (("bhilqn", "bhiq"), ("BHILQN", "BHIQ"))
-             if form[-1:] and form[-1:] in letters]
-    if view.ndim != 2 or not kinds or not (len(form) == 1 or form[0] in "=@<"):
-        return None
-    k = (view.shape or (0, 0))[1]
-    letter: Any = kinds[0][view.itemsize.bit_length() - 1]
-    numbers = memoryview(view.tobytes()).cast(letter)
+    numbers, k = found
     if not len(numbers):
         return None
     if min(numbers) < 0:
@@ -421,7 +442,11 @@ def _from_numbers(blocks: Any, v: Optional[int], change: Optional[int], *more: A
     if change is None:
         change = len(set(numbers[k:2 * k]).difference(numbers[:k])) or 2
     elements = array("I", numbers).tobytes()
-    return _core.Design.from_numbers(elements, k, largest + 1 if v is None else v, change, *more)
+    count = largest + 1 if v is None else v
+    try:
+        return _core.Design.from_numbers(elements, k, count, change, *more)
+    except (BadInput, ImpossibleParameters):
+        return None  # What is wrong is said of any blocks in the same words.
 
 
 def _element(element: Any, block: int) -> Union[str, int]:
@@ -443,7 +468,8 @@ def _core_of(blocks: Any, v: Any, change: Any, kind: Any, strength: int) -> Any:
         change = blocks.change if change is None else change
         elements = blocks.blocks._view().tobytes()
         kind = kind or blocks.kind
-        return _core.Design.from_numbers(elements, blocks.k, v, change, kind, strength)
+        return _core.Design.from_numbers(elements, blocks.k, v, change, kind, strength,
+                                         blocks.labels)
     if isinstance(blocks, (str, bytes)):
         raise TypeError("blocks are an array or a list of lists; changeover.loads() reads a text")
     parameters = v, change, kind, strength
@@ -451,9 +477,8 @@ def _core_of(blocks: Any, v: Any, change: Any, kind: Any, strength: int) -> Any:
     if core:
         return core
     # Anything else is written down as JSON and read as a file would be: one set of rules.
-    holds = "lists of elements"
-    rows = [[_element(element, number) for element in listed("blocks", holds, block)]
-            for number, block in enumerate(rows_of("blocks", holds, blocks, True), 1)]
+    rows = [[_element(element, number) for element in listed(f"block {number}", "elements", block)]
+            for number, block in enumerate(rows_of("blocks", "lists of elements", blocks, True), 1)]
     text = words_of(json.dumps(rows, ensure_ascii=False, separators=(",", ":")))
     return _core.Design.read_text(text, "blocks", *parameters)
 
@@ -516,11 +541,11 @@ def verify(
     return _verdict(_core_of(blocks, v, change, kind, strength))
 
 
-def read(path: str) -> Design:
+def read(path: Path) -> Design:
     """The design of a file of any format that is known: text, JSON, CSV, GAP, Sage, XML of
     designtheory.org, sets in brackets. Its verdict may be that it is none. Raises BadInput with line and column,
     MissingResource."""
-    return design_of(_core.Design.read(path))
+    return design_of(_core.Design.read(in_bytes(path)))
 
 
 def loads(text: str) -> Design:

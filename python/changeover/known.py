@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Union
+from typing import (
+    Any, Dict, Iterable, List, Literal, Optional, SupportsIndex, Tuple, Union, overload)
 
 from . import _core
 from ._given import attempt
@@ -12,7 +13,6 @@ from ._notebook import Prose, Shown, shown, table as html_table
 from .designs import Design
 from .errors import BadInput
 from .pictures import Picture, Theme, drawn
-from .plans import RunSheet
 
 Range = Union[int, range, Tuple[int, int]]
 
@@ -20,7 +20,7 @@ Range = Union[int, range, Tuple[int, int]]
 class Bound(Made):
     """A number of blocks that no design goes below, and why."""
 
-    blocks: int = fact()
+    blocks: int = fact("No design has fewer.")
     name: str = fact("'counting', 'degree', 'stays', …")
     reason: str = fact("One line of plain mathematics.")
 
@@ -79,7 +79,8 @@ class Bounds(Shown, Made):
         return text
 
     def _on_page(self) -> Any:
-        lines = [f"best known: {self.best_known} blocks, by {self.construction}"] if (
+        how = "found by a search" if self.construction == "found" else f"by {self.construction}"
+        lines = [f"best known: {count_of(self.best_known, 'block')}, {how}"] if (
             self.best_known is not None) else []
         rows = [(each.blocks, each.name, Prose(each.reason)) for each in self.all]
         if not rows:
@@ -99,18 +100,32 @@ class Cell(Made):
     lower_bound: Optional[int] = fact()
     reason: str = fact()
     status: str = fact("'minimum', 'best-known', 'open' or 'impossible'.")
-    construction: Optional[str] = fact()
+    construction: Optional[str] = fact("What makes the best design that is known, by name.")
 
     def __repr__(self) -> str:
         return f"<{self._core}: {self.status}>"
 
 
 class Table(List[Cell]):
-    """Cells by kind, k, v: a list, which notebooks show with a row for each v."""
+    """Cells by kind, k, v: a list, which notebooks show with a row for each v. Parts and sums of
+    tables are tables."""
+
+    @overload
+    def __getitem__(self, index: SupportsIndex) -> Cell: ...
+    @overload
+    def __getitem__(self, index: slice) -> Table: ...
+
+    def __getitem__(self, index: Any) -> Any:
+        found = super().__getitem__(index)
+        return Table(found) if isinstance(index, slice) else found
+
+    def __add__(self, other: Any) -> Any:
+        both = super().__add__(other)
+        return Table(both) if isinstance(other, Table) else both
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame with one row for each cell. Raises ImportError without pandas."""
-        return to_pandas(self)
+        return _frame_of(self)
 
     def to_latex(self) -> str:
         """A table with \\cite commands for booktabs and longtable, as
@@ -224,17 +239,24 @@ def table(k: Range, v: Range, change: int = 2, kind: Optional[Kind] = None) -> T
     return Table(made(Cell, facts, name_of(**facts)) for facts in cells)
 
 
-def to_pandas(what: Union[Design, RunSheet, Iterable[Cell]]) -> Any:
-    """A pandas.DataFrame of a table (one row per cell), a design (one row per block), or a run sheet
-    (one row per test).
+def to_pandas(what: Any) -> Any:
+    """A pandas.DataFrame of a table (one row per cell), a design (one row per block), run sheets
+    (one row per test), or a load order (one row per step).
 
-    Raises ImportError without pandas.
+    Raises ImportError without pandas, TypeError for anything else.
     """
-    if isinstance(what, (Design, RunSheet)):
+    if hasattr(type(what), "to_frame"):
         return what.to_frame()
+    cells: Optional[List[Any]] = attempt(list, what)
+    if cells is None or not all(isinstance(cell, Cell) for cell in cells):
+        raise TypeError("to_pandas(): what is a table, a design, a run sheet, or what else has "
+                        f"to_frame(), not {in_a_line(what)}")
+    return _frame_of(cells)
+
+
+def _frame_of(cells: Iterable[Cell]) -> Any:
     pandas: Any = importlib.import_module("pandas")
     columns = ("v", "k", "change", "kind", "b", "lower_bound", "status", "construction")
-    cells: Any = what
     frame = pandas.DataFrame([[getattr(cell, name) for name in columns] for cell in cells],
                              columns=columns)
     # Whole numbers also where some cells have none.

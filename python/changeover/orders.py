@@ -4,29 +4,25 @@
 from __future__ import annotations
 
 import importlib
-import io
-import itertools
 import json
 import operator
 import pickle
 import zlib
 from array import array
 from typing import (
-    Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Set,
-    Tuple, Union, overload,
+    Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Optional, Set, Tuple, Union, overload,
 )
 
 from . import _core
-from ._given import (
-    attempt, file_name, is_text, leads_from_keys, listed, of_search, rows_of, share_of, words_of)
+from ._given import Path, file_name, in_bytes, listed, of_search, share_of
 from ._made import (
     Made, Progress, check_calls, count_of, fact, fact_names, frozen, in_a_line, made)
 from ._notebook import Prose, Shown
+from ._pairs_given import cost_rows, given_ends, group_rows, memory_of, size_rows
+from ._recorded import Recorded, Step
 from .errors import BadInput, InternalError
 from .pictures import Picture, Theme, stays_of
 
-Step = Tuple[List[int], List[int]]
-_most_items: int = _core.most_items
 
 
 class WorkStep(NamedTuple):
@@ -53,59 +49,14 @@ class WorkStep(NamedTuple):
         return hash(frozen(tuple(self)))
 
 
-class _Recorded:
-    """The pickled form of an order that took a search: its steps as they were written."""
-
-    def __init__(self, text: str) -> None:
-        self._text = text
-
-    def in_format(self, format: str) -> str:
-        if format != "jsonl":
-            raise BadInput(
-                "an order from a pickle has only its steps, nothing for Marius or COLMAP; "
-                "plan it again"
-            )
-        return self._text
-
-    def fault(self) -> str:
-        return ""
-
-    def _lines(self, worker: Optional[int]) -> Iterator[Dict[str, Any]]:
-        for line in itertools.islice(io.StringIO(self._text), 1, None):
-            step = json.loads(line)
-            if worker is None or step.get("worker", 0) == worker:
-                yield step
-
-    def steps(self, worker: int) -> Iterator[Step]:
-        return ((step["evict"], step["load"]) for step in self._lines(worker))
-
-    def steps_from(self, number: int) -> Iterator[Step]:
-        memory: Set[int] = set()
-        for step in self._lines(None):
-            memory.difference_update(step["evict"])
-            memory.update(step["load"])
-            if step["step"] == number:
-                yield [], sorted(memory)
-            elif step["step"] > number:
-                yield step["evict"], step["load"]
-
-    def full_steps(self, worker: Optional[int]) -> Iterator[Tuple[Any, ...]]:
-        for step in self._lines(worker):
-            late = step.get("evict_late", [])
-            first = step.get("evict_first", step["evict"])
-            pairs = step.get("new_pairs", step.get("before", []))
-            yield (step["step"], step.get("worker", 0), first + late, step["load"],
-                   step.get("store", []), [tuple(pair) for pair in pairs],
-                   [tuple(pair) for pair in step.get("compute", [])], len(late),
-                   step.get("epoch", 1), step.get("fast_evict", []), step.get("fast_load", []))
-
-
 def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
     """The content of pickles: the request, or the steps if making them took a search."""
     if zlib.crc32(state) != checksum:
         raise BadInput(f"this pickle of a {kind.__name__} is damaged; create it again")
     facts, asked, ends, text = pickle.loads(state)
-    core: Any = _Recorded(text) if text is not None else None
+    if isinstance(text, str):
+        raise BadInput("another version of changeover pickled this load order; create it again")
+    core: Any = None if text is None else Recorded(*text)
     if core is None:
         core = _core.Loads.planned(json.dumps({**asked, "verify_beside": False}), ends, None)
         again = _facts(core, kind)
@@ -114,7 +65,7 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
             raise BadInput("another version of changeover pickled this load order, and made "
                            "another one; create it again")
         facts = again
-    return made(kind, {**facts, "_asked": (asked, ends, text)}, core)
+    return made(kind, {**facts, "_asked": (asked, ends, text is not None)}, core)
 
 
 def _facts(core: Any, kind: Any) -> Dict[str, Any]:
@@ -143,9 +94,9 @@ class _Loads(Shown, Made):
 
     _most_rows = 20
 
-    items: int = fact()
+    items: int = fact("How many there are.")
     room: int = fact("Of items with sizes the most that fit.")
-    method: str = fact()
+    method: str = fact("How the order was made, by name.")
     certificate: str = fact("How it was verified, one line.")
     fast_room: Optional[int] = fact("Of two levels: the most items on the accelerator.")
     transfers: Optional[int] = fact("To the accelerator, of all workers together.")
@@ -207,16 +158,22 @@ class _Loads(Shown, Made):
 
     def _said(self) -> Any:
         facts = dict(self._facts)
-        asked, ends, text = facts.pop("_asked")
-        asked = {key: value for key, value in asked.items() if key not in ("seconds", "threads")}
-        return facts, asked, ends, text if text is None else self.to_json()
+        asked, ends, searched = facts.pop("_asked")
+        # One that is verified beside the work says so, and is the same order.
+        del facts["certificate"]
+        asked = {key: value for key, value in asked.items()
+                 if key not in ("seconds", "threads", "verify_beside")}
+        return facts, asked, ends, self._steps_said() if searched else None
+
+    def _steps_said(self) -> str:
+        """The document without its first line."""
+        return self.to_json().partition("\n")[2]
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
         facts = dict(self._facts)
-        asked, ends, text = facts.pop("_asked")
-        if text == "":
-            text = self.to_json()
-        state = pickle.dumps((facts, asked, ends, text), 4)
+        asked, ends, searched = facts.pop("_asked")
+        recorded = Recorded.of(self._core, asked).state() if searched else None
+        state = pickle.dumps((facts, asked, ends, recorded), 4)
         return _made_again, (type(self), state, zlib.crc32(state))
 
 
@@ -226,7 +183,7 @@ class LoadOrder(_Loads):
 
     _row = "step"
     loads: int = fact("All loads, the first ones included.")
-    steps: int = fact()
+    steps: int = fact("How many there are.")
     lower_bound: int = fact("No order has fewer loads.")
     reason: str = fact("Of the bound.")
     epoch_loads: Optional[List[int]] = fact("Of each epoch, if there are several.")
@@ -362,7 +319,7 @@ class UpdateReport(Made):
     finished: bool = fact()
     steps: int = fact("Of all epochs.")
     steps_resumed: int = fact("Done by an earlier run, as the journal says.")
-    loads: int = fact()
+    loads: int = fact("How many items were loaded.")
     stores: int = fact("Of items that were evicted.")
     checkpoint_stores: int = fact("Of items that were held at checkpoints.")
     updates: int = fact("Calls of update().")
@@ -378,10 +335,10 @@ class Report(Made):
     """The result of an out-of-core job."""
 
     finished: bool = fact()
-    steps: int = fact()
+    steps: int = fact("How many there are.")
     steps_resumed: int = fact("Done by an earlier run, as the journal says.")
-    loads: int = fact()
-    bytes_read: int = fact()
+    loads: int = fact("How many items were loaded.")
+    bytes_read: int = fact("Of the file.")
     pairs: int = fact("Calls of compute().")
     most_in_memory: int = fact("Items.")
 
@@ -389,80 +346,6 @@ class Report(Made):
         resumed = f", {self.steps_resumed} of them earlier" if self.steps_resumed else ""
         return (f"<Report: {'finished' if self.finished else 'not finished'}, {self.steps} steps"
                 f"{resumed}, {self.loads} loads, {self.bytes_read} bytes, {self.pairs} pairs>")
-
-
-def _item(argument: str, number: Any) -> int:
-    item = attempt(operator.index, number)
-    if item is None or not 0 <= item < _most_items:
-        raise (TypeError if item is None else BadInput)(
-            f"{argument}: items are numbered from 0 to {_most_items - 1}, not {in_a_line(number)}")
-    return item
-
-
-def _ends(pairs: Any, costs: Optional[List[List[str]]] = None) -> array[int]:
-    """Both items of each pair, one after the other. With `costs` rows may have a third column, all
-    or none, whose rows are put there."""
-    ends = array("I")
-    most = "more than two items; a pair has two" if costs is None else (
-        "more than two items and a cost; a pair has two")
-    for number, row in enumerate(rows_of("pairs", "rows of two items", pairs)):
-        more = iter(listed("pairs", "rows of two items", row))
-        for _ in range(2):
-            for item in more:
-                ends.append(_item("pairs", item))
-                break
-            else:
-                raise BadInput(f"pairs: row {number} has fewer than two items; a pair has two")
-        if costs is not None:
-            for given in itertools.islice(more, 1):
-                cost = attempt(float, given)
-                if cost is None:
-                    raise BadInput(f"pairs: row {number} has {in_a_line(given)} for a cost; give a "
-                                   "number, 0 or more")
-                costs.append([str(ends[-2]), str(ends[-1]), repr(cost)])
-            if len(costs) not in (0, number + 1):
-                raise BadInput(
-                    f"pairs: only some of the rows 0 to {number} have a cost; give one to "
-                    "every pair or to none"
-                )
-        for _ in more:
-            raise BadInput(f"pairs: row {number} has {most}")
-    return ends
-
-
-def _group_rows(groups: Any) -> List[List[str]]:
-    """Rows of the items of each group."""
-    return [[str(_item("groups", item)) for item in listed("groups", "groups of items", group)]
-            for group in rows_of("groups", "groups of items", groups)]
-
-
-def _cost_rows(pair_cost: Any) -> List[List[str]]:
-    """Rows of two items and a cost, of a mapping from pairs or of such rows."""
-    holds = "rows of two items and a number"
-    rows = ((*listed("pair_cost", "pairs of items", pair), cost)
-            for pair, cost in pair_cost.items()) if leads_from_keys(pair_cost) else pair_cost
-    made_rows: List[List[str]] = []
-    for number, row in enumerate(rows_of("pair_cost", holds, rows)):
-        *items, cost = list(listed("pair_cost", holds, row)) or [None]
-        cost = attempt(float, cost)
-        if len(items) != 2 or cost is None:
-            raise BadInput(f"pair_cost: row {number} is not (item, item, cost); correct it")
-        made_rows.append([*(str(_item("pair_cost", item)) for item in items), repr(cost)])
-    return made_rows
-
-
-def _size_rows(sizes: Any) -> List[Any]:
-    """The bytes of items in turn, or rows of an item and its bytes."""
-    def size_of(given: Any) -> Any:
-        if isinstance(given, str):
-            return given
-        size = attempt(operator.index, given)
-        if size is None:
-            raise BadInput(f"sizes: {in_a_line(given)} is not a whole number of bytes")
-        return int(size)
-    if isinstance(sizes, Mapping):
-        return [[str(_item("sizes", item)), str(size_of(size))] for item, size in sizes.items()]
-    return [size_of(size) for size in listed("sizes", "numbers of bytes", sizes)]
 
 
 @overload
@@ -474,14 +357,24 @@ def load_order(
     ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
     epochs: Optional[int] = None, spread: bool = False, sizes: Any = None,
-    memory: Optional[int] = None, fast_room: Optional[int] = None,
-    fast_memory: Optional[int] = None, time: Optional[float] = None, threads: int = 1,
+    memory: Union[int, str, None] = None, fast_room: Optional[int] = None,
+    fast_memory: Union[int, str, None] = None, time: Optional[float] = None, threads: int = 1,
     seed: int = 1, progress: Progress = None) -> LoadOrder: ...
 @overload
-def load_order(*given: Any, workers: int, **named: Any) -> WorkerLoads: ...
+def load_order(
+    items: Optional[int], room: Optional[int] = None, *,
+    pairs: Any = None, groups: Any = None, against: Optional[int] = None,
+    done_items: Optional[int] = None, workers: int, disjoint: bool = False,
+    write_back: bool = False, new_pairs: bool = False, prefetch: bool = False,
+    ordered: bool = False, with_self: bool = False, shuffle: bool = False,
+    first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
+    epochs: Optional[int] = None, spread: bool = False, sizes: Any = None,
+    memory: Union[int, str, None] = None, fast_room: Optional[int] = None,
+    fast_memory: Union[int, str, None] = None, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None) -> WorkerLoads: ...
 
 
-def load_order(  # type: ignore[misc]  # the second one says only what comes of workers
+def load_order(
     items: Optional[int], room: Optional[int] = None, *,
     pairs: Any = None, groups: Any = None, against: Optional[int] = None,
     done_items: Optional[int] = None, workers: Optional[int] = None,
@@ -489,8 +382,8 @@ def load_order(  # type: ignore[misc]  # the second one says only what comes of 
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
     epochs: Optional[int] = None, spread: bool = False, sizes: Any = None,
-    memory: Optional[int] = None, fast_room: Optional[int] = None,
-    fast_memory: Optional[int] = None, time: Optional[float] = None, threads: int = 1,
+    memory: Union[int, str, None] = None, fast_room: Optional[int] = None,
+    fast_memory: Union[int, str, None] = None, time: Optional[float] = None, threads: int = 1,
     seed: int = 1, progress: Progress = None,
 ) -> Union[LoadOrder, WorkerLoads]:
     """Returns a load order with room for `room` items, after which every pair of `items` items has
@@ -521,37 +414,40 @@ def load_order(  # type: ignore[misc]  # the second one says only what comes of 
     verify_beside: return before the steps are verified; verified() waits for that. Raises BadInput,
     ImpossibleParameters.
     """
+    if room is not None and items is None and pairs is None and groups is None and sizes is None:
+        raise BadInput("items are required, unless pairs or groups have them; give their number")
     costs: List[List[str]] = []
-    ends = None if pairs is None else _ends(pairs, costs).tobytes()
+    ends = None if pairs is None else given_ends(pairs, costs).tobytes()
     if costs and (workers is None or pair_cost is not None):
         raise BadInput("pairs: costs are for workers, and without pair_cost; give rows of two "
                        "items")
     given: Dict[str, Any] = {
         "items": items, "room": room, "pairs": None if ends is None else [],
-        "groups": None if groups is None else _group_rows(groups), "against": against,
+        "groups": None if groups is None else group_rows(groups), "against": against,
         "done_items": done_items, "workers": workers, "disjoint": disjoint,
         "write_back": write_back,
         "new_pairs": new_pairs or (spread and not (write_back or prefetch)),
         "prefetch": prefetch, "ordered": ordered, "self": with_self, "shuffle": shuffle,
         "first_holder": first_holder,
-        "pair_cost": costs or (None if pair_cost is None else _cost_rows(pair_cost)),
+        "pair_cost": costs or (None if pair_cost is None else cost_rows(pair_cost)),
         "verify_beside": verify_beside, "epochs": epochs, "spread": spread,
-        "sizes": None if sizes is None else _size_rows(sizes), "memory": memory,
-        "fast_room": fast_room, "fast_memory": fast_memory, **of_search(time, threads, seed)}
+        "sizes": None if sizes is None else size_rows(sizes), "memory": memory_of("memory", memory),
+        "fast_room": fast_room, "fast_memory": memory_of("fast_memory", fast_memory),
+        **of_search(time, threads, seed)}
     asked = {key: value for key, value in given.items() if value is not None and value is not False}
     core = _core.Loads.planned(json.dumps(asked), ends, progress)
     kind: Any = LoadOrder if workers is None else WorkerLoads
     # What a search finds is not found again: a pickle holds its steps.
-    facts = {**_facts(core, kind), "_asked": (asked, ends, None if time is None else "")}
+    facts = {**_facts(core, kind), "_asked": (asked, ends, time is not None)}
     order: Union[LoadOrder, WorkerLoads] = made(kind, facts, core)
     return order
 
 
 def all_pairs(
-    path: str, item_bytes: int, room: int,
+    path: Path, item_bytes: int, room: int,
     compute: Callable[[int, int, memoryview, memoryview], object], *, header_bytes: int = 0,
-    threads: int = 1, journal: str = "", share: Optional[Tuple[int, int]] = None,
-    earlier: Iterable[str] = (), verify_beside: bool = False, short_last: bool = False,
+    threads: int = 1, journal: Optional[Path] = "", share: Optional[Tuple[int, int]] = None,
+    earlier: Iterable[Path] = (), verify_beside: bool = False, short_last: bool = False,
 ) -> Report:
     """Runs an all-pairs job over a file of items of item_bytes each, with at most `room` of them in
     memory.
@@ -566,18 +462,26 @@ def all_pairs(
     MissingResource.
     """
     journals = []
-    for name in listed("earlier", "paths of journals", earlier):
-        if not is_text(name):
-            raise TypeError(f"earlier has paths of journals, strings, not {in_a_line(name)}")
-        journals.append(file_name("earlier", words_of(name)))
-    return made(Report, _core.all_pairs(
-        path, item_bytes, room, compute, header_bytes, threads, journal, *share_of(share), journals,
-        verify_beside, short_last))
+    for path_of_one in listed("earlier", "paths of journals", earlier):
+        name = file_name("earlier", path_of_one)
+        if name is None:
+            raise TypeError(f"earlier has paths of journals, not {in_a_line(path_of_one)}")
+        journals.append(in_bytes(name))
+    try:
+        return made(Report, _core.all_pairs(
+            in_bytes(path), item_bytes, room, compute, header_bytes, threads,
+            in_bytes(journal or ""), *share_of(share), journals, verify_beside, short_last))
+    except BadInput as fault:
+        said = str(fault)
+        in_python = said.replace("or allow a short last one", "or give short_last=True")
+        if in_python == said:
+            raise
+        raise BadInput(in_python) from None
 
 
 def update_pairs(
-    path: str, item_bytes: int, room: int,
-    update: Callable[[int, int, memoryview, memoryview], object], *, journal: str,
+    path: Path, item_bytes: int, room: int,
+    update: Callable[[int, int, memoryview, memoryview], object], *, journal: Path,
     workers: int = 1, epochs: int = 1, ordered: bool = False, with_self: bool = False,
     shuffle: bool = False, spread: bool = False, seed: int = 1, checkpoint_every: int = 100,
 ) -> UpdateReport:
@@ -595,7 +499,7 @@ def update_pairs(
     `path`.versions. An exception of update ends the job. Raises BadInput, MissingResource.
     """
     return made(UpdateReport, _core.update_pairs(
-        path, item_bytes, room, update, journal, operator.index(workers), operator.index(epochs),
+        in_bytes(path), item_bytes, room, update, in_bytes(journal), operator.index(workers), operator.index(epochs),
         ordered, with_self, shuffle, spread, operator.index(seed),
         operator.index(checkpoint_every)))
 

@@ -6,6 +6,7 @@ import os
 from typing import Any, List, Literal, Optional, Tuple
 
 from . import _core
+from ._given import Path, in_bytes
 from ._made import Made, check_calls, fact, made
 from .errors import BadInput
 
@@ -18,7 +19,7 @@ class Picture(Made):
 
     _hidden = ("tikz", "defect")
     svg: str = fact("A whole SVG file.")
-    title: str = fact()
+    title: str = fact("What the picture shows.")
 
     @property
     def tikz(self) -> str:
@@ -28,13 +29,13 @@ class Picture(Made):
         text: str = self._facts["tikz"]
         return text
 
-    def save(self, path: str) -> None:
+    def save(self, path: Path) -> None:
         """Writes a file, whole or not at all: .svg, .tikz or .tex. Raises BadInput for another
         ending, MissingResource if it cannot be written."""
-        ending = os.path.splitext(path)[1].lower()
+        ending = os.path.splitext(os.fsdecode(path))[1].lower()
         if ending not in (".svg", ".tikz", ".tex"):
             raise BadInput(f"{path}: unknown file extension; use .svg, .tikz or .tex")
-        _core.write_file(path, self.svg if ending == ".svg" else self.tikz)
+        _core.write_file(in_bytes(path), self.svg if ending == ".svg" else self.tikz)
 
     def _repr_svg_(self) -> str:
         return self.svg

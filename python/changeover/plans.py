@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 import importlib
 import json
 import os
@@ -11,7 +12,7 @@ from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Tuple,
 
 from . import _core
 from ._job import benches_of, document_of, names_in, result_of
-from ._given import of_search
+from ._given import day_of, listed, of_search
 from ._made import Made, Progress, check_calls, count_of, fact, made
 from ._notebook import Shown
 from .errors import BadInput
@@ -25,6 +26,7 @@ Room = Union[int, Tuple[Optional[int], Optional[int]]]
 Result = Union[bool, str, None]
 CostUnit = Literal["money", "seconds", "minutes", "hours"]
 Benches = Union[int, Iterable[Union[str, Mapping[str, Any]]]]
+Day = Union[str, datetime.date]
 Objective = Literal["makespan", "cost", "tests"]
 Model = Union[str, "os.PathLike[str]"]
 
@@ -72,14 +74,16 @@ class Answer(Dict[str, Any]):
 class _Sheets(Shown, Made):
     """What the run sheets of one bench and of several have in common."""
 
+    _columns: Tuple[str, ...] = ("number", "take_out", "put_in", "setup", "places", "cost", "cost_so_far")
+
     tests: int = fact("Of all benches.")
     changes: int = fact("Of all benches.")
     complete: bool = fact(
         "All that must meet does, on one bench or another; a budget may not pay for it.")
     pairs_tested: int = fact("Of the pairs that must meet.")
-    pairs_needed: int = fact()
+    pairs_needed: int = fact("Pairs that must meet.")
     triples_tested: int = fact("Of three parts that must meet, with strength 3.")
-    triples_needed: int = fact()
+    triples_needed: int = fact("Triples that must meet, with strength 3.")
     cost: Decimal = fact("Exact, of all benches.")
     lower_bound: Decimal = fact("No list of tests that does the job costs less.")
     reason: str = fact("Of the bound.")
@@ -117,7 +121,9 @@ class _Sheets(Shown, Made):
     def to_frame(self) -> Any:
         """A pandas.DataFrame with one row for each test. Raises ImportError without pandas."""
         pandas: Any = importlib.import_module("pandas")
-        return pandas.DataFrame(self._rows()).set_index("number")
+        rows = self._rows()
+        columns = list(rows[0]) if rows else list(self._columns)
+        return pandas.DataFrame(rows, columns=columns).set_index("number")
 
     def _panels(self) -> List[Tuple[str, str, List[Dict[str, Any]]]]:
         """For each bench headline, note, tests."""
@@ -154,9 +160,11 @@ class _Sheets(Shown, Made):
                 ([row[head] for head in heads] for row in rows), len(rows))
 
     def to_csv(self) -> str:
+        """CSV, one line for each test."""
         return self._written("csv")
 
     def to_html(self) -> str:
+        """A page of HTML that prints well."""
         return self._written("html")
 
     def to_json(self) -> str:
@@ -164,9 +172,11 @@ class _Sheets(Shown, Made):
         return self._written("json")
 
     def to_markdown(self) -> str:
+        """A table in Markdown."""
         return self._written("markdown")
 
     def to_text(self) -> str:
+        """The table that the command line prints."""
         return self._written("table")
 
     def to_xlsx(self) -> bytes:
@@ -252,13 +262,12 @@ class RunSheet(_Sheets):
         """
         wanted = ("results has True (passed), False (failed), None or a text for each of the first "
                   "tests, or (set-up, result)")
-        if isinstance(results, str):
-            raise BadInput(wanted)
         steps = self.steps
         tested: List[Tuple[List[str], bool]] = []
         unread = []
         of_sheet = 0
-        for place, result in enumerate(results):
+        for place, result in enumerate(
+                listed("results", "a result for each test", results, True)):
             setup: Any = None
             if isinstance(result, tuple):
                 if len(result) != 2:
@@ -330,6 +339,8 @@ class BenchSheets(_Sheets):
         "For each bench a list of its tests, as RunSheet.steps, and begin and end, when; with "
         "hours a day also day and hour, date if the first day is known; again, parts that stayed "
         "and were lent to another bench meanwhile.")
+    _columns = ("bench", *_Sheets._columns, "begin", "end")
+
     benches: List[str] = fact("The name of each bench.")
     makespan: Decimal = fact(
         "When the last test ends; where no bench waits or rests, the cost of the bench that costs "
@@ -395,13 +406,28 @@ def plan(
     shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
     steps: Optional[int] = None, without: Iterable[Part] = (),
     quantities: Optional[Mapping[Any, int]] = None, hours: Optional[Cost] = None,
-    first_day: Optional[str] = None, weekends: bool = False,
+    first_day: Optional[Day] = None, weekends: bool = False,
 ) -> RunSheet: ...
 @overload
-def plan(*given: Any, benches: Benches, **named: Any) -> BenchSheets: ...
+def plan(
+    parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
+    model: Optional[Model] = None, test_cost: Optional[Cost] = None,
+    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,
+    cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
+    pairs: Any = None, never: Any = (), slots: Optional[Mapping[str, Room]] = None,
+    slot_of: Optional[Mapping[Any, str]] = None, mounted: Any = (), start: Any = (),
+    first: Any = (), weights: Optional[Mapping[Pair, Cost]] = None, done: Any = (),
+    trust_failed: bool = False, budget: Optional[Cost] = None, benches: Benches,
+    objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
+    shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
+    steps: Optional[int] = None, without: Iterable[Part] = (),
+    quantities: Optional[Mapping[Any, int]] = None, hours: Optional[Cost] = None,
+    first_day: Optional[Day] = None, weekends: bool = False,
+) -> BenchSheets: ...
 
 
-def plan(  # type: ignore[misc]  # the second one says only what comes of benches
+def plan(
     parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
     model: Optional[Model] = None, test_cost: Optional[Cost] = None,
     change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,
@@ -415,7 +441,7 @@ def plan(  # type: ignore[misc]  # the second one says only what comes of benche
     shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
     steps: Optional[int] = None, without: Iterable[Part] = (),
     quantities: Optional[Mapping[Any, int]] = None, hours: Optional[Cost] = None,
-    first_day: Optional[str] = None, weekends: bool = False,
+    first_day: Optional[Day] = None, weekends: bool = False,
 ) -> Union[RunSheet, BenchSheets]:
     """The cheapest list of tests that was found in which every two parts are mounted together at
     least once.
@@ -474,7 +500,8 @@ def plan(  # type: ignore[misc]  # the second one says only what comes of benche
             document[argument] = given[argument]
     document.update({key: value for key,
         value in (("trust_failed", trust_failed), ("compact", compact), ("title", title),
-                  ("first_day", first_day), ("weekends", weekends)) if value})
+                  ("first_day", first_day and day_of("first_day", first_day)),
+                  ("weekends", weekends)) if value})
     document.update(of_search(time, threads, seed))
     core = _core.Planned.of(json.dumps(document), progress)
     facts = _facts(core)  # What a workbook asks for may be of several benches.

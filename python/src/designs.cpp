@@ -123,10 +123,11 @@ ReadOptions said(std::optional<std::uint64_t> v, std::optional<std::uint64_t> ch
           .strength = strength_of(strength)};
 }
 
-// Rows of k numbers of 32 bits.
+// Rows of k numbers of 32 bits, and names of the elements, if they have some.
 HeldDesign from_numbers(const py::bytes& bytes, std::size_t k, std::uint64_t v,
                         std::uint64_t change, const std::optional<std::string>& kind,
-                        std::uint64_t strength) {
+                        std::uint64_t strength,
+                        const std::optional<std::vector<std::string>>& labels) {
   const ReadOptions options = said(v, change, kind, strength);
   const auto text = static_cast<std::string_view>(bytes);
   std::vector<Element> elements(text.size() / sizeof(Element));
@@ -139,6 +140,9 @@ HeldDesign from_numbers(const py::bytes& bytes, std::size_t k, std::uint64_t v,
   design.reserve(elements.size() / k);
   for (std::size_t i = 0; i < elements.size() / k; ++i) {
     design.append(std::span(elements).subspan(i * k, k));
+  }
+  if (labels && labels->size() == v) {
+    design.set_labels(*labels);
   }
   return stoppable([&] { return verified_or_not(std::move(design)); });
 }
@@ -357,7 +361,9 @@ void bind_designs(py::module_& module) {
            })
       .def("equals", &equal)
       .def_static("best_known", &design)
-      .def_static("from_numbers", &from_numbers)
+      .def_static("from_numbers", &from_numbers, py::arg("elements"), py::arg("k"), py::arg("v"),
+                  py::arg("change"), py::arg("kind"), py::arg("strength"),
+                  py::arg("labels") = py::none())
       .def_static("read_text", [](const std::string& text,
                                   const std::string& name) { return read_text(text, name, {}); })
       .def_static("read_text",

@@ -337,6 +337,9 @@ py::dict run(const std::string& path, std::uint64_t item_bytes, std::uint64_t ro
   if (threads == 0) {
     throw BadInput("threads 0: give at least 1");
   }
+  if (threads > std::numeric_limits<unsigned>::max()) {
+    throw BadInput(std::to_string(threads) + " threads are too many; give at most 4096");
+  }
   AllPairsReport report;
   LongWork work({.threads = 1});
   work.run([&](RunControl& control) {
@@ -346,8 +349,7 @@ py::dict run(const std::string& path, std::uint64_t item_bytes, std::uint64_t ro
     const LoadOrder loads = plan_load_order(file.item_count(), room, planning);
     std::atomic<bool> cancelled = false;
     AllPairsOptions options;
-    options.threads = static_cast<unsigned>(
-        std::min<std::uint64_t>(threads, std::numeric_limits<unsigned>::max()));
+    options.threads = static_cast<unsigned>(threads);
     options.journal = journal;
     options.share = {share, shares};
     options.earlier = earlier;

@@ -143,10 +143,10 @@ void stop_long_work_at_the_end() {
 
 LongWork::LongWork(LongOptions options) : options_(std::move(options)) {
   if (options_.seconds && !(*options_.seconds >= 0 && *options_.seconds <= most_seconds)) {
-    throw py::value_error(fmt::format("time is a number of seconds, 0 to {}", most_seconds));
+    throw BadInput(fmt::format("time is a number of seconds, 0 to {}", most_seconds));
   }
   if (options_.threads < 1 || options_.threads > most_threads) {
-    throw py::value_error(fmt::format("threads is a number from 1 to {}", most_threads));
+    throw BadInput(fmt::format("threads is a number from 1 to {}", most_threads));
   }
 }
 

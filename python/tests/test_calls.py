@@ -349,7 +349,7 @@ class Calls(unittest.TestCase):
                     (0, 2**64),
                 )
             ),
-            (jobs(earlier=[1]), "^earlier has paths of journals, strings, not 1$"),
+            (jobs(earlier=[1]), "^earlier has paths of journals, not 1$"),
             (jobs(earlier=["a\0b"]),
              r"^earlier: 'a\\x00b' is not a file name; remove the zero byte$"),
             *(
@@ -357,14 +357,14 @@ class Calls(unittest.TestCase):
                 for wrong in ({(0, 1): "x"}, {(0, 1): None}, {(0,): 1}, [(0, 1, 2, 3)])
             ),
             (costs({0: 1}), "^pair_cost must be a list of pairs of items, not '0'$"),
-            (costs([(0, 1.5, 1)]), "^pair_cost: items are numbered from 0 to [0-9]+, not 1.5$"),
+            (costs([(0, 1.5, 1)]), "^pair_cost: items are whole numbers, not 1.5$"),
             (
                 lambda: changeover.load_order(5, 3, pairs=[(0, "x")]),
-                "^pairs: items are numbered from 0 to [0-9]+, not 'x'$",
+                "^pairs: items are whole numbers, not 'x'$",
             ),
             (
                 lambda: changeover.load_order(None, sizes={"a": 1}, memory=5),
-                "^sizes: items are numbered from 0 to [0-9]+, not 'a'$",
+                "^sizes: items are whole numbers, not 'a'$",
             ),
             (
                 lambda: changeover.load_order(None, sizes=[1, 1.5], memory=5),

@@ -261,9 +261,14 @@ class Numpy(unittest.TestCase):
         with self.assertRaisesRegex(changeover.BadInput, "block 6: an element is negative"):
             changeover.verify(wrong)
         wrong[5, 2] = wrong[5, 1]
-        for blocks, v in ((wrong, 61), (changeover.design(61, 4), 5)):
-            with self.assertRaisesRegex(changeover.BadInput, r"^block \d+:? [^:]*element"):
-                changeover.verify(blocks, v=v)
+        with self.assertRaisesRegex(changeover.BadInput, r"^block \d+:? [^:]*element"):
+            changeover.verify(changeover.design(61, 4), v=5)
+        said = []
+        for blocks in (wrong, wrong.tolist()):
+            with self.assertRaisesRegex(changeover.BadInput, "twice in block 6; remove") as told:
+                changeover.verify(blocks, v=61)
+            said.append(str(told.exception))
+        self.assertEqual(*said)
         with self.assertRaises(TypeError):
             changeover.verify(array.astype(float))
 

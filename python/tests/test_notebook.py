@@ -56,9 +56,13 @@ class Shown(unittest.TestCase):
         latex = changeover.Design(
             [["$x^^5c", "a&b"], ["a&b", "c~1"], ["c~1", "$x^^5c"]]
         )._repr_latex_()
-        self.assertEqual(latex.count("$"), 4)
-        self.assertNotRegex(latex, "[~^]")  # in LaTeX no letters
-        self.assertIn(r"\text{a\&b}", latex)
+        # Within a formula these are no letters to LaTeX or to MathJax: the names stand in a table.
+        self.assertIn(r"\$x", latex)
+        self.assertNotRegex(latex, r"[~^]|\$\$")
+        self.assertIn(r"a\&b", latex)
+        latex = changeover.Design([["c$", "cS", r"\d"], ["cS", r"\d", "/d"]])._repr_latex_()
+        self.assertEqual([latex.count(name) for name in (r"c\$", "cS", "textbackslash", "/d")],
+                         [1, 2, 2, 1])
 
     def test_a_wrong_design_is_called_so(self):
         self.assertIn("not valid", changeover.Design([[0, 1], [2, 3]])._repr_html_())
@@ -475,7 +479,7 @@ def with_tqdm(faulty=""):
             if what == faulty:
                 raise RuntimeError("no widgets here")
 
-        def set_description(self, words, refresh):
+        def set_description_str(self, words, refresh):
             self.words = words
             self.check("show")
 

@@ -11,10 +11,10 @@ from array import array
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Set, Tuple
 
 from .. import _core
-from .._given import listed, rows_of
+from .._given import leads_from_keys, listed, rows_of, words_of
 from .._made import count_of
 from ..errors import BadInput, ImpossibleParameters, InternalError
-from ..orders import _ends, _item
+from .._pairs_given import given_ends, item_number
 from ._failed import failed
 from ._journal import Journal, PairSet, ends_of, name_of_job
 from ._stretches import Run, Step, Stretch, loads_in_turn, step_of, trimmed, without
@@ -33,7 +33,8 @@ class Wanted:
     def __init__(self, items: Optional[int], room: Optional[int], pairs: Any,
                  against: Optional[int], done_items: Optional[int], with_self: bool, cost: Any,
                  any_count: bool = False, groups: Any = None, sizes: Any = None,
-                 memory: Optional[int] = None, overlap: bool = False) -> None:
+                 memory: Optional[int] = None, overlap: bool = False,
+                 sizes_are: str = "sizes") -> None:
         if (room is None) == (memory is None):
             raise BadInput("give room, how many items a worker holds, or sizes and memory, how "
                            "many bytes")
@@ -53,7 +54,7 @@ class Wanted:
         self.alone: set[int] = set()  # items that are computed with themselves
         costs = None
         if pairs is not None:
-            ends = _ends(pairs)
+            ends = given_ends(pairs)
             rows = list(zip(ends[::2], ends[1::2]))
             if cost is not None and not callable(cost):
                 costs = _costs_of(rows, cost)
@@ -86,7 +87,7 @@ class Wanted:
             self.cost = lambda i, j: by_pair[i, j]
         elif cost is not None:
             self.cost = _checked_cost(cost)
-        self.size = sizes_of(sizes, self.items)
+        self.size = sizes_of(sizes, self.items, sizes_are)
         self.room, self.memory = room, memory
         self.place = (self._bytes(overlap) if room is None else  # for a plan
                       {"room": room - 1 if overlap else room})
@@ -164,7 +165,7 @@ def _pairs_within(groups: Any) -> Set[Pair]:
     """The pairs of items within each group, every pair once."""
     pairs: Set[Pair] = set()
     for group in rows_of("groups", "groups of items", groups):
-        items = sorted({_item("groups", item)
+        items = sorted({item_number("groups", item)
                         for item in listed("groups", "groups of items", group)})
         pairs.update(itertools.combinations(items, 2))
         if len(pairs) > _most_pairs:
@@ -218,29 +219,38 @@ def _called(name: str, function: Callable[..., Any], *items: int) -> Any:
         raise failed(Failure.of(name, items, fault), "") from fault
 
 
-def sizes_of(sizes: Any, items: int) -> Optional[Callable[[int], int]]:
-    """The bytes of an item: one number for all, a list, or a function."""
+def sizes_of(sizes: Any, items: int, argument: str = "sizes") -> Optional[Callable[[int], int]]:
+    """The bytes of an item: one number for all, a list, a mapping by item, or a function."""
     if sizes is None:
         return None
     if callable(sizes):
-        return lambda x: _size(_called("sizes", sizes, x))
-    if hasattr(type(sizes), "__index__") and not hasattr(type(sizes), "__iter__"):
-        size = _size(sizes)
+        return lambda x: _size(argument, _called("sizes", sizes, x))
+    if isinstance(sizes, float) or (
+            hasattr(type(sizes), "__index__") and not hasattr(type(sizes), "__iter__")):
+        size = _size(argument, sizes)
         return lambda x: size
-    given = [_size(each) for each in listed("sizes", "the bytes of each item", sizes)]
+    if leads_from_keys(sizes):
+        by_item = {item_number(argument, x): _size(argument, size) for x, size in sizes.items()}
+        lacks = next((x for x in range(items) if x not in by_item), None)
+        if lacks is not None:
+            raise BadInput(f"{argument} has nothing for item {lacks}; give one for each")
+        return by_item.__getitem__
+    given = [_size(argument, each)
+             for each in listed(argument, "the bytes of each item", sizes)]
     if len(given) != items:
-        raise BadInput(f"sizes has {count_of(len(given), 'number')} for {count_of(items, 'item')}; "
-                       "give one for each")
+        raise BadInput(f"{argument} has {count_of(len(given), 'number')} for "
+                       f"{count_of(items, 'item')}; give one for each")
     return given.__getitem__
 
 
-def _size(value: Any) -> int:
+def _size(argument: str, value: Any) -> int:
     try:
         size = operator.index(value)
     except Exception:
         size = -1
     if size < 0:
-        raise BadInput(f"sizes has whole numbers of bytes, not {_core.quoted(str(value))}")
+        raise BadInput(
+            f"{argument} has whole numbers of bytes, not {_core.quoted(words_of(value))}")
     return size
 
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import functools
+import os
 import time
 from typing import Any, Callable, Dict, Iterable, List, Optional, SupportsIndex, Union
 
+from .._given import Path
 from .._made import Made, Progress, check_calls, count_of, fact, made
+from .._pairs_given import memory_of
 from ..errors import BadInput, MissingResource
 from ._engine import Engine, Task, Tell, check_team, kind_of, tell_of
 from ._engines import engine_for
@@ -137,8 +140,8 @@ def all_pairs(
     done_items: Optional[int] = None, with_self: bool = False,
     cost: Union[None, Callable[[int, int], float], Iterable[float]] = None,
     sizes: Union[None, int, Iterable[int], Callable[[int], int]] = None,
-    memory: Optional[int] = None, threads: Optional[int] = None, overlap: bool = False,
-    stretches: int = 16, retries: int = 0, workers: Optional[int] = None, journal: str = "",
+    memory: Union[int, str, None] = None, threads: Optional[int] = None, overlap: bool = False,
+    stretches: int = 16, retries: int = 0, workers: Optional[int] = None, journal: Optional[Path] = "",
     name: str = "", progress: Progress = None,
 ) -> Report:
     """Computes every pair of items on the workers of a cluster, each with room for `room` items or
@@ -170,20 +173,21 @@ def all_pairs(
     are no workers, or none are left for 5 minutes. Ctrl-C ends it with KeyboardInterrupt; a journal
     allows continuing.
     """
+    held = memory_of("memory", memory)
     engine_kind = kind_of(client)
     if not 1 <= stretches <= _most_stretches:
         raise BadInput(f"stretches is a number from 1 to {_most_stretches}")
     check_team(threads, workers)
     task = Task(functools.partial(Memory, load, compute),
-                {"room": room, "memory": memory, "overlap": overlap}, threads)
+                {"room": room, "memory": held, "overlap": overlap}, threads)
     if engine_kind == "mpi" and client.rank != 0:
         from ._mpi import serve
         return made(Report, serve(client, task))
 
     def begin() -> Work:
         wanted = Wanted(items, room, pairs, against, done_items, with_self, cost, groups=groups,
-                        sizes=sizes, memory=memory, overlap=overlap)
-        return Work(wanted, sink, retries, journal, name)
+                        sizes=sizes, memory=held, overlap=overlap)
+        return Work(wanted, sink, retries, os.fsdecode(journal or ""), name)
 
     if engine_kind == "mpi":
         from ._mpi import MpiEngine

@@ -39,7 +39,7 @@ class Improvement(Made):
     b: int = fact("Those of the design that was found.")
     lower_bound: int = fact()
     label: Optional[str] = fact("In the user's catalog; None if it was not put there.")
-    how: str = fact()
+    how: str = fact("How the best design was found, one line.")
     design: Design = fact("Verified where it arrived.")
 
     def __repr__(self) -> str:

@@ -15,6 +15,7 @@ from typing import (
 
 from .. import _core
 from .._made import Made, Progress, check_calls, fact, made
+from .._pairs_given import memory_of
 from ..errors import BadInput
 from ._engine import Event, Tell, tell_of
 from ._job import Wanted, Work, cut_evenly
@@ -37,7 +38,7 @@ class Simulation(Made):
 
     seconds: float = fact("Until the last pair is done.")
     ideal_seconds: float = fact("If workers only computed, all the time, and none failed.")
-    pairs: int = fact()
+    pairs: int = fact("That must be computed.")
     loads: int = fact("That were finished; what lost workers had in hand is loaded again.")
     planned_loads: int = fact("Of the plan, if each worker does its own part.")
     bytes: int = fact("That left the store, those of lost workers included.")
@@ -52,7 +53,7 @@ class Simulation(Made):
     retried: int = fact("Stretches that were done again.")
     stolen: int = fact("How often an idle worker took a part of another's work.")
     copied: int = fact("Stretches that an idle worker did too, as they were late.")
-    stretches: int = fact()
+    stretches: int = fact("Into which the work was cut.")
     exact: bool = fact("Each step was simulated; otherwise stretches are alike within a worker's "
                        "share.")
 
@@ -364,7 +365,7 @@ def simulate(
     pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     groups: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     cost: Union[None, Callable[[int, int], float], Iterable[float]] = None,
-    room: Optional[int] = None, memory: Optional[int] = None, bandwidth: float = 1e9,
+    room: Optional[int] = None, memory: Union[int, str, None] = None, bandwidth: float = 1e9,
     store: Optional[float] = None, latency: float = 0.0, overhead: float = 0.01,
     failures: float = 0.0, restart: Optional[float] = 60.0, stragglers: float = 0.0,
     slowness: float = 4.0, overlap: bool = False, stretches: int = 16, seed: int = 1,
@@ -391,8 +392,8 @@ def simulate(
     for argument, number in numbers.items():
         if not 0 <= number <= (math.inf if argument == "store" else _most_number) or (
                 number < 1e-60 and argument in ("bandwidth", "store", "slowness")):
-            raise BadInput(f"{argument} must be from 0 to {_most_number:g}; bandwidth, "
-                           "store and slowness must be above 0")
+            least = "above 0, up to" if argument in ("bandwidth", "store", "slowness") else "from 0 to"
+            raise BadInput(f"{argument} must be {least} {_most_number:g}, not {number:g}")
     if stragglers > 1:
         raise BadInput("stragglers is a share of the workers, from 0 to 1")
     if not 1 <= workers <= _most_workers:
@@ -404,7 +405,8 @@ def simulate(
         raise BadInput("memory is for up to 2000000 pairs, or for listed ones; give room, how many "
                        "items a worker holds")
     wanted = Wanted(items, room, pairs, None, None, False, cost, any_count=not exact, groups=groups,
-                    sizes=item_bytes, memory=memory, overlap=overlap)
+                    sizes=item_bytes, memory=memory_of("memory", memory), overlap=overlap,
+                    sizes_are="item_bytes")
     if not exact and cost is not None:
         raise BadInput("cost with more than 2000000 pairs is not supported; list the pairs, or "
                        "leave cost out")
