@@ -3,6 +3,13 @@
 # component C of the CMake package, which a project without C++ can ask for.
 add_library(changeover_c SHARED "${PROJECT_SOURCE_DIR}/src/loadorder/c_interface.cpp")
 add_library(changeover::c ALIAS changeover_c)
+# The header is in the tree as it is, so its number is compared, not written.
+set(header "${PROJECT_SOURCE_DIR}/include/changeover/loadorder/changeover_loadorder.h")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
+file(STRINGS "${header}" line REGEX "#define CHANGEOVER_LOADORDER_VERSION ")
+if(NOT line STREQUAL "#define CHANGEOVER_LOADORDER_VERSION ${CHANGEOVER_VERSION_NUMBER}")
+  message(FATAL_ERROR "changeover_loadorder.h says '${line}': write ${CHANGEOVER_VERSION_NUMBER}")
+endif()
 set(exports "${PROJECT_SOURCE_DIR}/cmake/c_library.map")
 # The number of the binary interface, in the library's soname. It is not the version of the project:
 # it is raised when a program that was linked before would no longer work, and by nothing else

@@ -1,15 +1,17 @@
 # changeover_room(<name> [DEPENDS <room>...] [LIBRARIES <target>...] [SOURCES <file>...]
-#                 [GENERATED_HEADERS <dir>] [NOT_INSTALLED] [WARM | COLD [ONLY <regex> | UNLESS
-#                 <regex>]])
+#                 [GENERATED_HEADERS <dir>] [ARCHIVE <name>] [NOT_INSTALLED]
+#                 [WARM | COLD [ONLY <regex> | UNLESS <regex>]])
 #
 # Adds the library changeover_<name>, alias changeover::<name>, from src/<name>/**.cpp and
 # include/changeover/<name>/**.hpp and **.h. Sources are globbed, so that adding a file touches
 # nothing else. DEPENDS are rooms and public; LIBRARIES are private; SOURCES are generated files to
-# add; GENERATED_HEADERS is a directory laid out like include/. Other headers of a room,
+# add; GENERATED_HEADERS is a directory laid out like include/; ARCHIVE is the name of the library's
+# file, without lib and .a, if it is not changeover_<name>. Other headers of a room,
 # src/<name>/**.hpp, are private: who is built in this tree may include them, as "<name>/….hpp",
 # through the target changeover_internals.
 function(changeover_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "NOT_INSTALLED;WARM;COLD" "GENERATED_HEADERS;ONLY;UNLESS"
+  cmake_parse_arguments(PARSE_ARGV 1 room "NOT_INSTALLED;WARM;COLD"
+    "GENERATED_HEADERS;ARCHIVE;ONLY;UNLESS"
     "DEPENDS;LIBRARIES;SOURCES")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "changeover_room(${name}): unknown arguments ${room_UNPARSED_ARGUMENTS}")
@@ -30,7 +32,10 @@ function(changeover_room name)
   set(target changeover_${name})
   add_library(${target} STATIC ${sources} ${room_SOURCES})
   add_library(changeover::${name} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  if(NOT room_ARCHIVE)
+    set(room_ARCHIVE ${target})
+  endif()
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME "${room_ARCHIVE}")
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${bases} FILES ${headers})
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")

@@ -50,7 +50,8 @@ install(FILES
 # For those who ask pkg-config: all rooms, highest first, as a linker wants static libraries.
 set(static_libraries "")
 foreach(room IN LISTS installed_rooms)
-  string(PREPEND static_libraries " -lchangeover_${room}")
+  get_target_property(archive changeover_${room} OUTPUT_NAME)
+  string(PREPEND static_libraries " -l${archive}")
 endforeach()
 file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" up "${up}")
@@ -58,6 +59,19 @@ configure_file("${PROJECT_SOURCE_DIR}/cmake/changeover.pc.in"
   "${PROJECT_BINARY_DIR}/generated/changeover.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/generated/changeover.pc"
   DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
+
+# What the tutorials and the help texts use, and programs to begin with. Files of the tools are for
+# those who have the program only.
+set(examples "${PROJECT_SOURCE_DIR}/examples")
+install(DIRECTORY "${examples}/lab" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples" COMPONENT tools
+  PATTERN "__pycache__" EXCLUDE)
+install(FILES "${examples}/bench_parts.csv" "${examples}/server.csv"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples" COMPONENT tools)
+install(DIRECTORY "${examples}/all_pairs" DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples"
+  COMPONENT development)
+install(FILES "${examples}/all_pairs.cpp" "${examples}/train_embeddings.cpp"
+  "${examples}/load_order.c"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples" COMPONENT development)
 
 # Not in a Debian package, which has a copyright file.
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT

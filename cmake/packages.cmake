@@ -64,9 +64,9 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "change covering designs - headers and static libraries
 ${about}
 .
-Headers of the C++ library, its rooms as static libraries, the header
+Headers of the C++ library, its modules as static libraries, the header
 of the library for C, and the files by which CMake and pkg-config find
-both. A program that links only some rooms needs only some of the
+both. A program that links only some modules needs only some of the
 recommended packages.")
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME changeover)

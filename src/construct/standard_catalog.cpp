@@ -34,7 +34,7 @@ std::optional<std::string> variable(const char* name) {
 
 void choose_catalog(std::string path) {
   if (catalog_was_asked) {
-    throw InternalError("the catalog was asked before its file was chosen");
+    throw BadOption("choose_catalog() must be called before the catalog is first used");
   }
   chosen() = std::move(path);
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "changeover/core/error.hpp"
+#include "changeover/core/version.hpp"
 #include "changeover/loadorder/changeover_loadorder.h"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
@@ -119,11 +121,27 @@ auto without_throwing(const Act& act, const Tell& tell) noexcept -> decltype(act
   }
 }
 
-/// Options of any size: members that a program does not know are 0.
+// Options of the size of any header: members that a program does not know are 0.
+// @throws BadInput for a size that no header has, and for an option that is newer than this library
 changeover_loadorder_options options_in(const changeover_loadorder_options* given) {
+  using changeover::BadInput;
   changeover_loadorder_options options{};
-  if (given != nullptr) {
-    std::memcpy(&options, given, std::min(given->size, sizeof options));
+  if (given == nullptr) {
+    return options;
+  }
+  // The smallest ends before `pairs`; nothing is read behind the largest.
+  constexpr std::size_t most = 4096;
+  const std::size_t size = given->size;
+  if (size < offsetof(changeover_loadorder_options, pairs) || size > most) {
+    throw BadInput("the size of the options is " + std::to_string(size) +
+                   "; set it to sizeof (changeover_loadorder_options)");
+  }
+  const std::size_t known = std::min(size, sizeof options);
+  std::memcpy(&options, given, known);
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(given);
+  if (std::any_of(bytes + known, bytes + size, [](unsigned char byte) { return byte != 0; })) {
+    throw BadInput("an option is set that version " + std::string(changeover::version) +
+                   " does not know; leave it out, or use a newer library");
   }
   return options;
 }
@@ -192,7 +210,7 @@ changeover::WantedPairs wanted_by(const changeover_loadorder_options& asked, std
 void check_disjoint_options(const changeover_loadorder_options& asked) {
   using changeover::BadInput;
   if (asked.workers == 0) {
-    throw BadInput("disjoint is for workers; give both");
+    throw BadInput("disjoint needs workers; set workers to 1 or more");
   }
   const char* const other = asked.first_holder != 0      ? "first_holder"
                             : asked.pair_cost != nullptr ? "pair_cost"
@@ -306,8 +324,10 @@ int changeover_loadorder_rewind(changeover_loadorder* order) {
 
 int changeover_loadorder_take_worker(changeover_loadorder* order, uint64_t worker) {
   return go_to(order, [&] {
-    if (worker >= changeover_loadorder_workers(order)) {
-      throw changeover::BadInput("there is no such worker: they are numbered from 0");
+    const std::uint64_t workers = changeover_loadorder_workers(order);
+    if (worker >= workers) {
+      throw changeover::BadInput("there is no worker " + std::to_string(worker) + "; give 0" +
+                                 (workers == 1 ? "" : " to " + std::to_string(workers - 1)));
     }
     order->worker = worker;
     order->begin();
@@ -321,7 +341,8 @@ int changeover_loadorder_seek(changeover_loadorder* order, uint64_t number) {
           "steps of several workers, and with pairs, are read from the first");
     }
     if (number == 0 || number > order->facts().steps) {
-      throw changeover::BadInput("there is no such step: they are numbered from 1");
+      throw changeover::BadInput("there is no step " + std::to_string(number) + "; give 1 to " +
+                                 std::to_string(order->facts().steps));
     }
     order->begin(number);
   });
@@ -397,6 +418,11 @@ uint64_t changeover_loadorder_makespan_bound(const changeover_loadorder* order) 
 
 const char* changeover_loadorder_error(const changeover_loadorder* order) {
   return order == nullptr ? "there is no order" : order->error.c_str();
+}
+
+const char* changeover_loadorder_version(void) {
+  // A string_view of a literal, so it is terminated.
+  return changeover::version.data();
 }
 
 void changeover_loadorder_close(changeover_loadorder* order) { delete order; }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
@@ -150,6 +151,12 @@ TEST(Refusals, SayWhyACoverDoesNotServe) {
     four.subsets.push_back({x + 1U, {x}});
   }
   EXPECT_EQ(cover_defect(slow, four, 2), "the blocks at position 1 do not differ in 2 elements");
+}
+
+TEST(Refusals, TheCatalogIsChosenBeforeItIsUsed) {
+  EXPECT_GT(standard_catalog().size().cells, 0U);
+  EXPECT_REFUSAL(choose_catalog(""), BadOption,
+                 "choose_catalog() must be called before the catalog is first used");
 }
 
 }  // namespace

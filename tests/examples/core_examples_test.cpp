@@ -143,6 +143,7 @@ TEST(CoreExamples, Sha256) {
 TEST(CoreExamples, Version) {
   StandardOutput output;
   std::cout << changeover::version << '\n';
+  static_assert(CHANGEOVER_VERSION >= 10000);
   EXPECT_THAT(output.take(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 

@@ -1,6 +1,8 @@
 /* The example of changeover_loadorder.h, as it stands there. */
 #include "changeover/loadorder/changeover_loadorder.h"
 
+#include <stdio.h>
+
 static size_t in_memory;
 static uint64_t steps_done;
 
@@ -31,11 +33,19 @@ uint64_t pairs_of_c_example(uint64_t* said);
 uint64_t steps_of_c_example(void) {
   char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
   changeover_loadorder* order = changeover_loadorder_open(64, 16, error, sizeof error);
+  if (order == NULL) {
+    fprintf(stderr, "%s\n", error);
+    return 1;
+  }
   changeover_loadorder_step step;
-  while (changeover_loadorder_next(order, &step) == CHANGEOVER_LOADORDER_STEP) {
+  int status;
+  while ((status = changeover_loadorder_next(order, &step)) == CHANGEOVER_LOADORDER_STEP) {
     for (size_t i = 0; i < step.evict_count; ++i) drop(step.evict[i]);
     for (size_t i = 0; i < step.load_count; ++i) fetch(step.load[i]);
     compute_what_is_new(step.number);
+  }
+  if (status == CHANGEOVER_LOADORDER_ERROR) {
+    fprintf(stderr, "%s\n", changeover_loadorder_error(order));
   }
   changeover_loadorder_close(order);
   return steps_done;
@@ -50,6 +60,10 @@ uint64_t pairs_of_c_example(uint64_t* said) {
   options.workers = 4;
   options.with_pairs = 1;
   order = changeover_loadorder_open_with(64, 16, &options, error, sizeof error);
+  if (order == NULL) {
+    fprintf(stderr, "%s\n", error);
+    return 1;
+  }
   changeover_loadorder_take_worker(order, 2); /* the steps to come are those of worker 2 */
   while (changeover_loadorder_next(order, &step) == CHANGEOVER_LOADORDER_STEP) {
     size_t count = 0;

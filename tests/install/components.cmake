@@ -74,7 +74,7 @@ refused("the component 'catalog' of changeover needs SQLite3, which is not found
 configure(CXX -Dcomponents=verify,no_such_room)
 refused("changeover has no component 'no_such_room'; it has: C changeover core run")
 configure(C -Dcomponents=verify)
-refused("the component 'verify' of changeover is C\\+\\+: add CXX to the LANGUAGES")
+refused("the component 'verify' of changeover is C\\+\\+: add CXX to the LANGUAGES.* COMPONENTS C, ")
 configure(CXX -Dcomponents=paper)
 refused("changeover has no component 'paper'")
 

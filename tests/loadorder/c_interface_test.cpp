@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "changeover/core/version.hpp"
 #include "changeover/loadorder/changeover_loadorder.h"
 
 extern "C" {
@@ -271,6 +274,61 @@ TEST(COptions, ForgottenListsAndSecondsThatAreNoneAreRefused) {
   }
 }
 
+TEST(COptions, OfASizeThatNoHeaderHasAreRefused) {
+  char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
+  const auto refused = [&](const changeover_loadorder_options& options) {
+    EXPECT_EQ(changeover_loadorder_open_with(10, 3, &options, error, sizeof error), nullptr);
+    return std::string(error);
+  };
+  changeover_loadorder_options options = some_options();
+  options.size = 3;
+  EXPECT_EQ(refused(options),
+            "the size of the options is 3; set it to sizeof (changeover_loadorder_options)");
+  for (const std::size_t size : {std::size_t{0}, std::size_t{15}, SIZE_MAX}) {
+    options.size = size;
+    EXPECT_EQ(refused(options), "the size of the options is " + std::to_string(size) +
+                                    "; set it to sizeof (changeover_loadorder_options)");
+  }
+  // With `workers` alone, as the first header would have had it.
+  options.size = offsetof(changeover_loadorder_options, pairs);
+  options.workers = 2;
+  changeover_loadorder* const order =
+      changeover_loadorder_open_with(10, 3, &options, error, sizeof error);
+  ASSERT_NE(order, nullptr) << error;
+  EXPECT_EQ(changeover_loadorder_workers(order), 2U);
+  EXPECT_EQ(changeover_loadorder_take_worker(order, 2), CHANGEOVER_LOADORDER_ERROR);
+  EXPECT_STREQ(changeover_loadorder_error(order), "there is no worker 2; give 0 to 1");
+  changeover_loadorder_close(order);
+}
+
+TEST(COptions, OfANewerHeaderAreRefusedIfTheyAreSet) {
+  struct Newer {
+    changeover_loadorder_options known;
+    std::uint64_t added;
+  } newer{some_options(), 0};
+  newer.known.size = sizeof newer;
+  changeover_loadorder* const order =
+      changeover_loadorder_open_with(10, 3, &newer.known, nullptr, 0);
+  EXPECT_NE(order, nullptr);
+  changeover_loadorder_close(order);
+  newer.added = 1;
+  char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
+  EXPECT_EQ(changeover_loadorder_open_with(10, 3, &newer.known, error, sizeof error), nullptr);
+  EXPECT_EQ(std::string(error), "an option is set that version " +
+                                    std::string(changeover::version) +
+                                    " does not know; leave it out, or use a newer library");
+}
+
+TEST(COptions, TheVersionIsThatOfTheLibrary) {
+  EXPECT_EQ(std::string(changeover_loadorder_version()), std::string(changeover::version));
+  EXPECT_EQ(CHANGEOVER_LOADORDER_VERSION, CHANGEOVER_VERSION);
+  unsigned major = 0;
+  unsigned minor = 0;
+  unsigned patch = 0;
+  ASSERT_EQ(std::sscanf(changeover_loadorder_version(), "%u.%u.%u", &major, &minor, &patch), 3);
+  EXPECT_EQ(major * 10000 + minor * 100 + patch, unsigned{CHANGEOVER_VERSION});
+}
+
 TEST(COptions, DisjointWorkersAreRefusedWhatTheyCannotHave) {
   changeover_loadorder_options options = some_options();
   options.disjoint = 1;
@@ -279,7 +337,7 @@ TEST(COptions, DisjointWorkersAreRefusedWhatTheyCannotHave) {
     EXPECT_EQ(changeover_loadorder_open_with(20, room, &options, error, sizeof error), nullptr);
     return std::string(error);
   };
-  EXPECT_EQ(refused(5), "disjoint is for workers; give both");
+  EXPECT_EQ(refused(5), "disjoint needs workers; set workers to 1 or more");
   options.workers = 3;
   changeover_loadorder* const crowded =
       changeover_loadorder_open_with(20, 8, &options, error, sizeof error);

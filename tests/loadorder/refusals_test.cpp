@@ -135,11 +135,12 @@ TEST(Refusals, AreKeptForCallersInC) {
   EXPECT_EQ(changeover_loadorder_next(order, nullptr), CHANGEOVER_LOADORDER_ERROR);
   EXPECT_STREQ(changeover_loadorder_error(order), "step is NULL; give the address of a step");
   EXPECT_EQ(changeover_loadorder_take_worker(order, 1), CHANGEOVER_LOADORDER_ERROR);
-  EXPECT_STREQ(changeover_loadorder_error(order),
-               "there is no such worker: they are numbered from 0");
+  EXPECT_STREQ(changeover_loadorder_error(order), "there is no worker 1; give 0");
   EXPECT_EQ(changeover_loadorder_seek(order, 0), CHANGEOVER_LOADORDER_ERROR);
-  EXPECT_STREQ(changeover_loadorder_error(order),
-               "there is no such step: they are numbered from 1");
+  EXPECT_STREQ(
+      changeover_loadorder_error(order),
+      ("there is no step 0; give 1 to " + std::to_string(changeover_loadorder_steps(order)))
+          .c_str());
   changeover_loadorder_close(order);
   changeover_loadorder_options pairs{};
   pairs.size = sizeof pairs;

@@ -30,7 +30,7 @@ namespace changeover {
 class Catalog;
 class Registry;
 
-/// Where a construction comes from: a key of docs/references.bib and a place in it.
+/// Where a construction comes from: a key of references.bib (docs/ of the sources) and a place in it.
 struct Citation {
   std::string key;    ///< e.g. "ChafeeStevens2025"
   std::string place;  ///< e.g. "Theorem 2"; may be empty
@@ -177,7 +177,7 @@ class Registry {
 // anything.
 
 /// Names another file for the user's designs, before the catalog is first asked; empty for none.
-/// @throws InternalError if it was asked already.
+/// @throws BadOption if it was asked already.
 void choose_catalog(std::string path);
 
 /// The user's file, whether it is there or not; empty for none.

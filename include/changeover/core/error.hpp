@@ -1,7 +1,8 @@
 // Faults, one class for each party that can be at fault.
 //
-// "No such design", "unknown" and "limit reached" are values and never thrown. What is thrown
-// derives from Error, and its class says whose fault it is:
+// "No such design", "unknown" and "limit reached" are values. What is thrown derives from Error, and
+// its class says whose fault it is. One exception: within a RunScope that you open, work that is
+// stopped throws Stopped (run/control.hpp), which is not an error and does not derive from Error.
 //
 //     try {
 //       Design design = read_design("mine.txt");
@@ -18,7 +19,8 @@
 namespace changeover {
 
 /// Base of every fault; catch it, but throw one of its subclasses. The message is one line that is
-/// safe to show, even if it quotes file names or words from outside (src/core/printable.hpp).
+/// safe to show, even if it quotes file names or words from outside: what is unprintable in them is
+/// escaped.
 class Error : public std::runtime_error {
  protected:
   explicit Error(std::string_view line);

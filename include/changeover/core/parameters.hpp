@@ -11,6 +11,10 @@
 //     auto g2 = newly_covered_at_most(p);    // 2k − 3 = 5 pairs a block
 #pragma once
 
+#if __cplusplus < 202002L
+#error "the headers of changeover need C++20: compile with -std=c++20"
+#endif
+
 #include <compare>
 #include <cstdint>
 #include <optional>

@@ -52,7 +52,7 @@ struct Newcomer {
 
 /// Finds designs that are the same up to names of elements, rotation and reversal. It builds each
 /// entry of the catalog and its canonical form (isomorphism/isomorphism.hpp) at most once, when
-/// needed: comparing many designs with a large cell costs time for their sum, not their product.
+/// needed: comparing n designs with a cell of c takes time in proportion to n + c, not n·c.
 /// The catalog must outlive this.
 class SameDesigns {
  public:

@@ -78,7 +78,7 @@ std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& head
 // follows if it is not 2, and a column `elements`, which then always says `labels`, if the elements
 // are named by other words than 0 … v−1: its cells are names even where they look like numbers. A
 // name that a spreadsheet would compute, such as =1+1, has an apostrophe in front, which a reader
-// removes (io/write/csv_cell.hpp). Rows end in LF.
+// removes. Rows end in LF.
 //
 // A reader finds the columns by their names, in any order, and ignores others; every column but the
 // elements may be missing, and so may the first row, if all rows hold nothing but elements. The

@@ -120,7 +120,7 @@ struct OptionRecord {
   std::string_view value = {};  ///< the name of its value in the help: "K", "FILE"
   std::string_view help = {};
   std::string_view unit = {};   ///< what its number counts: "parts", "bytes"; empty: no unit
-  std::string by_default = {};  ///< what holds where it is not given; empty: not said
+  std::string by_default = {};  ///< the default, in words; empty: none is stated
   RowShape shape = RowShape::none;
   std::vector<std::string_view> words = {};  ///< of a word
   std::string_view python = {};              ///< the argument there, if it has another name

@@ -120,7 +120,7 @@ struct LatexOptions {
 /// Writes the table. @throws as Sink::write().
 void write_latex(const Design& design, Sink& sink, const LatexOptions& options = {});
 
-/// `text` with all special characters of LaTeX escaped; one line (src/core/printable.hpp).
+/// `text` with all special characters of LaTeX escaped; one line: what is unprintable becomes \x….
 [[nodiscard]] std::string latex_escaped(std::string_view text);
 
 /// An element's name in LaTeX, with marks: "0$^*$", "$\infty_{l*}^{*}$".

@@ -2,11 +2,16 @@
  *
  *     char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
  *     changeover_loadorder* order = changeover_loadorder_open(64, 16, error, sizeof error);
+ *     if (order == NULL) { fprintf(stderr, "%s\n", error); return 1; }
  *     changeover_loadorder_step step;
- *     while (changeover_loadorder_next(order, &step) == CHANGEOVER_LOADORDER_STEP) {
+ *     int status;
+ *     while ((status = changeover_loadorder_next(order, &step)) == CHANGEOVER_LOADORDER_STEP) {
  *       for (size_t i = 0; i < step.evict_count; ++i) drop(step.evict[i]);
  *       for (size_t i = 0; i < step.load_count; ++i) fetch(step.load[i]);
  *       compute_what_is_new(step.number);
+ *     }
+ *     if (status == CHANGEOVER_LOADORDER_ERROR) {
+ *       fprintf(stderr, "%s\n", changeover_loadorder_error(order));
  *     }
  *     changeover_loadorder_close(order);
  *
@@ -22,6 +27,7 @@
  *     options.workers = 4;
  *     options.with_pairs = 1;
  *     order = changeover_loadorder_open_with(64, 16, &options, error, sizeof error);
+ *     if (order == NULL) { fprintf(stderr, "%s\n", error); return 1; }
  *     changeover_loadorder_take_worker(order, 2);       // the steps to come are those of worker 2
  *     while (changeover_loadorder_next(order, &step) == CHANGEOVER_LOADORDER_STEP) {
  *       size_t count = 0;
@@ -38,6 +44,12 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* The version of this header: major * 10000 + minor * 100 + patch. */
+#define CHANGEOVER_LOADORDER_VERSION 10000
+
+/* The version of the library that runs, as "1.0.0". It may be newer than the header. */
+const char* changeover_loadorder_version(void);
 
 /* Large enough for any error text. */
 #define CHANGEOVER_LOADORDER_ERROR_SIZE 512
@@ -65,13 +77,15 @@ changeover_loadorder* changeover_loadorder_open(uint64_t items, uint64_t room, c
                                                 size_t error_size);
 
 /* Options; a member that is 0 has no effect. Set `size` to sizeof: programs that were compiled with
- * an older header then still work. */
+ * an older header then still work. An error are a `size` that ends before `pairs`, and an option of
+ * a newer header that this library does not know. */
 typedef struct changeover_loadorder_options {
   size_t size; /* sizeof (changeover_loadorder_options) */
   /* The number of workers. Each has its own room; they may run at the same time or one after
    * another. */
   uint64_t workers;
-  /* Only these pairs meet: two items per pair. They are copied before the call returns. */
+  /* Only these pairs meet: two items per pair. They are copied before the call returns. A pair of
+   * an item with itself asks for nothing: it is left out, and so is an item without other pairs. */
   const uint32_t* pairs;
   size_t pair_count;
   /* Only pairs of each of the `items` items with each of this many others, numbered after them. */
@@ -117,7 +131,8 @@ int changeover_loadorder_take_worker(changeover_loadorder* order, uint64_t worke
 int changeover_loadorder_seek(changeover_loadorder* order, uint64_t number);
 
 /* The pairs that the last step computes, if with_pairs was set: *count pairs of two items each, the
- * smaller first. Valid until the next call with the same order. */
+ * smaller first. NULL and 0 before the first step and without with_pairs. Valid until the next call
+ * with the same order. */
 const uint32_t* changeover_loadorder_pairs(const changeover_loadorder* order, size_t* count);
 
 /* Writes the next step into *step. */

@@ -212,10 +212,11 @@ class WorkerSplit {
                                            const WantedPairs& wanted, std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
-/// Repeats the shares of one epoch. Each worker goes through its share forward and backward in turn
-/// (loadorder/load_order.hpp), keeps its memory between epochs, and computes the same pairs in
-/// each. Verified as far as the pairs of all epochs can be tracked at once. Above 5,000 items,
-/// unless their pairs are listed, owners() is null. @throws as repeat_order()
+/// Returns the shares of one epoch, repeated. Each worker goes through its share forward and
+/// backward in turn (loadorder/load_order.hpp), keeps its memory between epochs, and computes the
+/// same pairs in each. The result is verified up to 2³⁴ pairs and 2·10⁸ loads in all epochs together,
+/// and who computes which pair up to 3·10⁷ pairs; facts().certificate says what was checked. Above
+/// 5,000 items owners() is null, except for listed pairs. @throws as repeat_order()
 [[nodiscard]] WorkerSplit repeat_shares(WorkerSplit split, std::uint64_t epochs);
 
 // Load orders for workers that step together and never hold one item twice: what training needs,

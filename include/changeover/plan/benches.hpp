@@ -29,8 +29,8 @@
 // Bounds. The lists of all benches, end to end, are one list that does the job. If no bench has
 // anything mounted at its start, this list costs at most their sum, since parts that stay mounted
 // from one list to the next need not be put in again. So all benches together cost at least
-// cost_bound(). src/plan/search/benches/bench_bounds.hpp has better bounds, and those of the
-// makespan, with proofs.
+// cost_bound(). The bounds that plans show, of the cost and of the makespan, are better (internal,
+// with proofs: src/plan/search/benches/bench_bounds.hpp).
 #pragma once
 
 #include <cstdint>

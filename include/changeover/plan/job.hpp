@@ -21,10 +21,9 @@
 // `start`. The parts are matched in min(|O|,|N|) pairs of one part of O and one of N so that the
 // step is cheapest. A pair (o, n) costs replace_cost(o, n). The other parts of N go to empty
 // places, each at its own change cost; the other parts of O are taken out at no cost. With slots, a
-// part only takes the place of a part of the same slot, and likewise for parts in no slot. Such
-// jobs
-// have no plans for weighed pairs or exchanged parts: BadInput. A list that starts on an empty
-// bench pays for its first set-up as without replacement costs.
+// part only takes the place of a part of the same slot, and likewise for parts in no slot. Such jobs
+// have no plans for weighed pairs or exchanged parts: BadInput. A list that starts on an empty bench
+// pays for its first set-up as without replacement costs.
 //
 // If some set-ups must come `first`, the list begins with them, in their order. They break no
 // constraint, their pairs count, and they cost as much as others.
@@ -50,7 +49,7 @@
 
 namespace changeover {
 
-// Costs, kept exactly: whole millionths of a unit of money.
+// Costs, kept exactly: whole millionths of a unit, which is of money or of time.
 //
 //     const Amount test = parse_amount("1.25");
 //     to_string(test * 12 + parse_amount("0.5"));        // "15.50"
@@ -58,7 +57,7 @@ namespace changeover {
 //
 // Sums and products are checked for overflow, so a total is exact or an exception.
 
-/// An amount of money, never negative.
+/// An exact amount of money or time, never negative.
 struct Amount {
   std::uint64_t millionths = 0;
 
@@ -73,7 +72,7 @@ struct Amount {
 /// Adds b. @throws as the sum; a is then as it was.
 inline Amount& operator+=(Amount& a, Amount b) { return a = a + b; }
 
-/// a − b for b ≤ a. @throws InternalError if b is larger.
+/// a − b for b ≤ a. @throws BadOption if b is larger.
 [[nodiscard]] Amount operator-(Amount a, Amount b);
 
 /// Reads "12", "12.5", "0.000001", ".5": digits with at most one point and at most six decimals.
@@ -228,7 +227,9 @@ struct Job {
 /// could show something else than it contains. nullopt if it can be used.
 [[nodiscard]] std::optional<std::string> text_defect(std::string_view text);
 
-/// A job with parts "1", …, "v" in which all pairs must meet. @throws BadInput if v > max_parts.
+/// A job with v parts, named "1" to "v", of which `at_once` fit on the bench; all pairs must meet.
+/// The costs are of one test and of putting one part in. check() refuses what cannot be done, such
+/// as at_once = 0. @throws BadInput if v > max_parts. O(v).
 [[nodiscard]] Job make_job(std::uint64_t v, std::uint64_t at_once, Amount test_cost,
                            Amount change_cost);
 
@@ -359,9 +360,9 @@ std::uint64_t need_triples(Job& job);
 // quotes. A field may be quoted. Blank lines and lines that begin with # are ignored. A part is
 // given by its name or by its number in the parts list, from 1; a name takes precedence.
 //   - Parts: a name, and a change cost if there is a second field. With a header there may be other
-//     columns; those for names, costs, slots and quantities are found by the words in the header.
-//     src/plan/job/parts/part_columns.hpp decides what is a header; a first row that may be
-//     a header or a part is refused. With semicolons or tabs, costs may have a decimal
+//     columns; those for names, costs, slots and quantities are found by the words in the header
+//     (internal: src/plan/job/parts/part_columns.hpp); a first row that may be a header or a part
+//     is refused. With semicolons or tabs, costs may have a decimal
 //     comma, if no cost in the list has a point.
 //   - Pairs: two parts per row, or separated by blanks if the row is no part; a third field may
 //     give a reason. A first row with two words that are column names of parts, and no parts, is a

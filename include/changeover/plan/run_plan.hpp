@@ -138,7 +138,8 @@ struct Candidate {
   std::uint64_t triples_tested = 0;
   Amount weight = {};  ///< of the tested pairs, if the job weighs pairs
 
-  /// Takes the numbers of changes and tests, the costs and the tested pairs from this run sheet.
+  /// Copies the changes, the costs, the numbers of tested pairs and triples, and the weight from
+  /// this run sheet.
   void take_figures(const RunSheet& sheet);
   [[nodiscard]] std::uint64_t tests() const { return setups.size(); }
 };
@@ -286,7 +287,7 @@ struct WhatIf {
 // where Job::places gives it, and these places keep their numbers. If costs are times, a column
 // `clock` has the time of day. The columns of parts taken out and put in are lists for people; the
 // column `result` is to be filled in. No cell is a formula in a spreadsheet: a text that would be
-// one begins with an apostrophe (io/write/csv_cell.hpp), which read_setups() removes. Numbers stay
+// one begins with an apostrophe, which read_setups() removes. Numbers stay
 // numbers.
 //
 // Workbook (.xlsx): the sheet `Run sheet` has the columns of the CSV and one for notes, to print

@@ -10,8 +10,7 @@
 // One control is shared by all threads of a search. The inner loop asks stop_wanted() every few
 // thousand steps; a call costs a relaxed load and a look at the clock. Searches never print and
 // never install signal handlers: the program that handles Ctrl-C sets the flag that `interrupted`
-// points to. Work deep below a search, or without one above it, uses a RunScope (below); threads
-// come from run/threads.hpp.
+// points to. Work deep below a search, or without one above it, uses a RunScope (below).
 //
 // With threads = 1 a search is deterministic in its seed as long as no clock stops it.
 #pragma once
@@ -197,7 +196,7 @@ class RunControl {
 //
 // Bounds, constructions and verification are called by searches that have a limit and by programs
 // that have none, often several calls deep. Their loops call stop_if_asked(), which without a scope
-// only looks at one pointer. Scopes nest: the innermost counts. Threads that run/threads.hpp starts
+// only looks at one pointer. Scopes nest: the innermost counts. Threads that the library starts
 // have the scope of their control.
 //
 // *Stopping* is an exception, Stopped, but not a fault: it ends the work under way. The code that

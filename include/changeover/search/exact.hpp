@@ -7,9 +7,9 @@
 //     decision.excluded();                // true: there is none, and the proof was checked
 //     decision.parts.front().proof_path;  // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
 //
-// The question becomes a formula (src/search/exact/exact_encoding.hpp) for a SAT solver. A design
+// The question becomes a formula (internal: src/search/exact/exact_encoding.hpp) for a SAT solver. A design
 // is verified before it is returned. "None" is returned only after a check of the solver's DRAT
-// proof, which is read back from the disk with the formula. The checker (room proof) shares no code
+// proof, which is read back from the disk with the formula. The checker (module proof) shares no code
 // with what made them, and other checkers can read the two files, too. docs/trust.md says what
 // remains to be trusted.
 //
@@ -68,8 +68,9 @@ struct ExactOptions {
   std::optional<std::uint32_t> conflicts_per_step = {};
   EncodingOptions encoding = {};
   /// Approximate number of cubes, at most 4096, independent of the numbers of threads and shares.
-  /// 0: 16 per share, or 8 per thread; one thread alone splits nothing. Shares of the same cubes
-  /// can be divided further: shares i and i + n of 2n are share i of n.
+  /// 0 means 16 for each share or, without shares, 8 for each thread; one thread alone does not
+  /// split. With a number given, a run in n shares can be split further into 2n: share i of n is
+  /// shares i and i + n of 2n.
   std::uint64_t cubes = 0;
   /// What the design must have besides; any strength.
   Wanted wanted = {};

@@ -14,11 +14,11 @@
 // options and the seed.
 //
 // Method. Kinds of attempts compete, each with a budget of moves that doubles when it fails:
-//   - blocks without symmetry, from random lists (segment_pairs.hpp), at two ranges of temperature;
+//   - blocks without symmetry, from random lists (internal: src/search/local/), at two ranges of temperature;
 //   - the best design so far less one block, annealed at lower temperatures;
 //   - for linear designs, the best circular one known, begun at each of its blocks in turn, without
 //     as many blocks at the end as are too many, annealed at the lowest temperatures;
-//   - base blocks under an imposed automorphism (imposed.hpp), for every order n and 0 to 2 fixed
+//   - base blocks under an imposed automorphism, for every order n and 0 to 2 fixed
 //     elements on v elements, and without fixed elements on v + 1 … v + 3, whose designs are
 //     truncated. A linear design is cut from the circular one where fewest blocks are needed.
 //
@@ -27,7 +27,7 @@
 // time, so that more moves go where the aim is near. Threads take attempts from one list. Each of
 // several processes starts at another place of the list and with other random numbers (WorkShare).
 //
-// Strength 3 and 4 use blocks without symmetry only (segment_subsets.hpp). Time: the rate of moves,
+// Strength 3 and 4 use blocks without symmetry only. Time: the rate of moves,
 // about 15 million per second and core at (30,6).
 #pragma once
 
@@ -253,8 +253,8 @@ struct LeastChangeOrder {
 // *Repair* takes any list of blocks of the right shape. If one change does (two blocks exchanged, a
 // block elsewhere, one element, a block less), that is the answer. Else first its steps: a block
 // that fits neither of its neighbours is replaced by the one nearest to it that fits both, a
-// repeated block goes, and across any other wrong step the shortest way is inserted
-// (construct/tools/path.hpp). Then what is uncovered: the list is annealed, briefly first, as every
+// repeated block goes, and across any other wrong step the shortest way is inserted.
+// Then what is uncovered: the list is annealed, briefly first, as every
 // move changes blocks, and longer only if that does not do; if nothing does, blocks are added at
 // the end.
 //
