@@ -151,8 +151,11 @@ def has_numbered_rows(table: Any) -> bool:
 
 
 def listed(argument: str, holds: str, value: Any, ordered: bool = False) -> Iterable[Any]:
-    """The value, if going through it gives what is meant; TypeError for a string, whose letters
-    that would be, and the like."""
+    """Returns the value if it is an iterable of the expected items, `holds`.
+
+    Raises TypeError for a string, bytes, a mapping or a DataFrame, whose iteration gives something
+    else, and, if `ordered`, for a set.
+    """
     def refuse(what: str) -> NoReturn:
         raise TypeError(f"{argument} must be a list of {holds}{what}")
     if is_text(value):

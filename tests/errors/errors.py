@@ -52,12 +52,16 @@ ONE_FOLDER = threading.Lock()  # rows of Python run in this process, which has o
 INTRODUCTION = """\
 # Errors
 
-All that Changeover says when it refuses: a reference, to look up a line that it printed. A message names the place (a file
-with line and column, or an option), then what is wrong there, and behind a semicolon how to mend it. It is the only line on
-standard error; standard output stays empty, and files that were there before stay as they were.
+Every message with which Changeover refuses something: a reference, to look up a line that it printed. Each line begins with
+the program's name, `changeover: `, which is left out here.
 
-The exit code says whose fault it is: 2 the command line, 3 what a file holds, 4 something that is missing (a file, memory,
-disk space), 5 a bug of ours. In Python the class of the exception says it, and on the server the status of the answer.
+A message names the place (a file with line and column, or an option). Then it says what is wrong there, and behind a
+semicolon how to mend it. It is the only line on standard error. Standard output stays empty, and files that were there
+before stay as they were.
+
+The exit code says whose fault it is: 2 the command line; 3 what a file holds; 4 no construction serves these parameters, or
+a file, memory or disk space is missing; 5 a bug of ours. In Python the class of the exception says it, on the server the
+status of the answer.
 
 <!-- This page is made of tests/data/errors by `tests/errors/errors.py page .`, and each of its lines was run. -->
 """

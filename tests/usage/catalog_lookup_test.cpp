@@ -39,6 +39,8 @@ TEST(CatalogVerbs, AnswerWhatIsAsked) {
           {"$changeover catalog show 12.4.1.linear.21.6f25", 0, "note: the first of the 2554"},
           {"$changeover catalog show 12.4.1.linear.21.6f25", 0, "from: Phillips1999"},
           {"$changeover catalog show 12.4.1.linear", 0, "how the first of them is made"},
+          {"$changeover catalog show 20.5.2.linear", 0,
+           "catalog show 20.5.2.linear.29.f6bd9e33 --format text prints the blocks"},
           {"$changeover catalog cite 12.4.1.linear.21.6f25", 0, "@misc{Phillips1999"},
           {"$changeover catalog cite 15.3.2.linear.35.6cb7", 0,
            "author = {{Chafee} and {Stevens}}"},

@@ -439,7 +439,7 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--pairs edges --room 1", 2, "at least 2"},
            {"--pairs edges --against 4 --room 3", 2, "exclude each other"},
            {"--items 4 --against 0 --room 3", 2, "--against 0: give at least 1"},
-           {"--items 4 --done-items 4 --room 3", 2, "none would be new"},
+           {"--items 4 --done-items 4 --room 3", 2, "and none new"},
            {"--items 99999999 --against 4 --room 3", 2, "at most 10000000"},
            {"--items 9999999 --against 2 --room 3", 2, "are 10000001 items together; at most"},
            {"--items 9 --room 10000001", 2, "--room 10000001: give at most 10000000"},

@@ -440,7 +440,7 @@ TEST(Plan, BeginsWithWhatMustComeFirst) {
        {plan("--what-if"), 0, "Your costs are at the ratio"},
        {plan("--done done.csv"), 0, "first.csv: 1 of 2 set-ups done already"},
        {plan("--done done.csv"), 0, "the first test is given: cost 5, 3 of"},
-       {plan("--budget 8"), 3, "the tests that come first cost 9 by themselves"},
+       {plan("--budget 8"), 3, "budget of 8: the tests that come first alone cost 9"},
        {plan("--never never.csv"), 3,
         "first.csv:2:1: 4 and 6 must never be in one set-up; remove one"},
        {plan("--mounted 5"), 3, "first.csv:2:1: 5 stays mounted, but is not in this set-up"},

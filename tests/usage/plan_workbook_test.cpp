@@ -64,7 +64,7 @@ TEST(PlanWorkbook, SaysInOneLineWhatIsWrong) {
        {"$changeover plan parts.csv:Costs" + rest, 3, "parts.csv: not a workbook"},
        {"$changeover plan none.xlsx:Costs" + rest, 4, "none.xlsx:Costs"},
        {"$changeover plan old.xls" + rest, 3, "old.xls: an old workbook (.xls)"},
-       {"$changeover plan cut.xlsx" + rest, 3, "cut.xlsx: begins like a zip archive"},
+       {"$changeover plan cut.xlsx" + rest, 3, "cut.xlsx: looks like a zip archive"},
        {"$changeover plan - < old.xls" + rest, 3, "<stdin>: an old workbook"},
        {"$changeover plan good.xlsx:Costs -o good.xlsx" + rest, 2, "is the same file as the parts"},
        {"$changeover plan parts.csv --what-if -o w.xlsx" + rest, 2,

@@ -214,9 +214,11 @@ struct Verb::State {
   }
 
   // Refuses each of `names` beside those of `others` that are given.
-  void refuse_beside(const std::vector<std::string>& names, const std::vector<std::string>& others,
-                     const std::string& says, const std::string& why) {
-    rules.emplace_back([this, names, others, says, why] {
+  // `sentence` is made of an option as it was given, and the options beside it.
+  void refuse_beside(
+      const std::vector<std::string>& names, const std::vector<std::string>& others,
+      const std::function<std::string(const std::string&, const std::string&)>& sentence) {
+    rules.emplace_back([this, names, others, sentence] {
       std::vector<std::string> beside;
       std::ranges::copy_if(others, std::back_inserter(beside),
                            [this](const auto& other) { return given(other); });
@@ -224,9 +226,8 @@ struct Verb::State {
           std::ranges::find_if(names, [this](const auto& name) { return given(name); });
       if (!beside.empty() && misplaced != names.end()) {
         const std::string& what = app->get_option(*misplaced)->get_option_text();
-        throw UsageError{fmt::format("{}{}{} {} {}{}{}; leave it out", *misplaced,
-                                     what.empty() ? "" : " ", what, says, enumerated(beside),
-                                     why.empty() ? "" : ": ", why)};
+        throw UsageError{
+            sentence(*misplaced + (what.empty() ? "" : " ") + what, enumerated(beside))};
       }
     });
   }
@@ -342,13 +343,18 @@ void Verb::only_with(const std::vector<std::string>& names,
 void Verb::never_with(const std::vector<std::string>& names, const std::vector<std::string>& others,
                       const std::string& why) {
   state_->sentences.push_back(sentence_of(OptionRule::Says::never_with, names, others));
-  state_->refuse_beside(names, others, "has no meaning with", why);
+  state_->refuse_beside(names, others, [why](const std::string& option, const std::string& beside) {
+    return fmt::format("{} has no meaning with {}{}{}; leave it out", option, beside,
+                       why.empty() ? "" : ": ", why);
+  });
 }
 
-void Verb::not_built_with(const std::vector<std::string>& names,
-                          const std::vector<std::string>& others, const std::string& why) {
+void Verb::not_served_with(const std::vector<std::string>& names,
+                           const std::vector<std::string>& others, const std::string& why) {
   state_->sentences.push_back(sentence_of(OptionRule::Says::never_with, names, others));
-  state_->refuse_beside(names, others, "is not built for", why);
+  state_->refuse_beside(names, others, [why](const std::string& option, const std::string& beside) {
+    return fmt::format("{} cannot be used with {}, {}; leave out one of them", option, beside, why);
+  });
 }
 
 void Verb::rule(const std::string& sentence) { state_->sentences.push_back(sentence); }
@@ -368,9 +374,11 @@ void Verb::outcomes(const std::vector<ExitCodeDescription>& codes) {
 Program::Program() : state_(std::make_unique<State>()) {
   CLI::App& app = state_->app;
   app.require_subcommand(1);
+  app.set_help_flag("-h,--help", "print this help message and exit");
   // Only to be listed: run() takes it before it parses.
-  app.set_version_flag("--version", "",
-                       "The version, and what this program was built with; as JSON with --json");
+  app.set_version_flag(
+      "--version", "",
+      "print the version, and what this program was built with; as JSON with --json");
   app.footer(
       "Exit codes: 0 done or valid; 1 the claim was refuted; 2 usage; 3 bad input; 4 nothing "
       "serves\n"

@@ -83,9 +83,9 @@ class Verb {
   /// None of `names` means anything with one of `others`.
   void never_with(const std::vector<std::string>& names, const std::vector<std::string>& others,
                   const std::string& why = {});
-  /// None of `names` is built for one of `others`.
-  void not_built_with(const std::vector<std::string>& names, const std::vector<std::string>& others,
-                      const std::string& why);
+  /// None of `names` can be used with one of `others`; `why` goes on after them: "which makes …".
+  void not_served_with(const std::vector<std::string>& names,
+                       const std::vector<std::string>& others, const std::string& why);
 
   /// What a rule says that the verb itself holds its request to.
   void rule(const std::string& sentence);

@@ -35,12 +35,13 @@ std::optional<std::uint64_t> whole_number(const std::string& text) {
   return parsed<std::uint64_t>(text);
 }
 
-void ParameterRequest::add_to(Verb& verb, bool required, const std::string& linear) {
+void ParameterRequest::add_to(Verb& verb, bool required, const std::string& without) {
   verb.positional("V", v, "number of elements", required);
   verb.positional("K", k, "elements in a block", required);
   verb.option("-m,--change", change, "M",
               "elements in which consecutive blocks differ (default 2)");
-  add_kind_to(verb, kind, "the last and the first block are consecutive too", linear);
+  add_kind_to(verb, kind, "the last and the first block are consecutive too",
+              "the first and last block need not be consecutive (" + without + ")");
 }
 
 void ParameterRequest::add_beside_label_to(Verb& verb, std::string& what, std::string& k_typed) {
@@ -51,7 +52,8 @@ void ParameterRequest::add_beside_label_to(Verb& verb, std::string& what, std::s
   verb.option("-m,--change", change, "M",
               "after V K: elements in which consecutive blocks differ (default 2)");
   add_strength_to(verb);
-  add_kind_to(verb, kind, "after V K: circular designs only", "after V K: linear designs only");
+  add_kind_to(verb, kind, "after V K: circular designs only",
+              "after V K: linear designs only (default: both kinds are looked at)");
   verb.rule("--change, --strength, --circular and --linear are for V K: a label says them itself");
   verb.require([this, &what, &k_typed] {
     if (k_typed.empty()) {

@@ -54,7 +54,8 @@ Answer run(const BoundsRequest& request) {
 void add_bounds(Program& program) {
   auto [verb, request] = program.add<BoundsRequest>(
       "bounds", "show lower bounds with their reasons, and the best design known", run);
-  request.asked.add_to(verb);
+  request.asked.add_to(
+      verb, true, "default: both; in JSON the kind with fewer blocks known, circular if equal");
   request.asked.add_strength_to(verb);
   request.output.add_to(verb, {"text", "latex", "json"});
   verb.examples({"changeover bounds 20 5", "changeover bounds 8 5 --circular --json",

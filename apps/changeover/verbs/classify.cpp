@@ -240,7 +240,7 @@ Answer run(const ClassifyRequest& request) {
 void add_classify(Program& program) {
   auto [verb, request] = program.add<ClassifyRequest>(
       "classify", "count and list all designs with a given number of blocks", run);
-  request.asked.add_to(verb);
+  request.asked.add_to(verb, true, linear_kind);
   verb.positional("B", request.blocks, "number of blocks (default: the lower bound)", false);
   verb.flag("--reversal", request.reversal, "a design and its reversal are the same");
   verb.flag(

@@ -106,14 +106,15 @@ void add_describe(Program& program) {
       program.add<DescribeRequest>("describe", "list every verb and option, for programs", run);
   request.program = &program;
   verb.choice("--schema", request.schema, {"job", "load-request"},
-              "the JSON Schema of requests of this kind instead");
+              "print the JSON Schema of these requests");
   verb.flag("--doors", request.doors,
-            "compare the options of command line, server and Python, in Markdown");
+            "print a table of the options of command line, server, Python and C, in Markdown");
   verb.exclude({"--schema", "--doors"});
   request.output.add_to(verb, {"json", "text"});
   verb.examples(
       {"changeover describe                  as JSON",
-       "changeover describe --format text    verb, argument or option, names, kind, words",
+       "changeover describe --format text    as a table: verb, argument or option, names, type, "
+       "allowed words",
        "changeover describe --schema job     what plan --request takes"});
 }
 

@@ -42,7 +42,7 @@ Answer run(const DesignRequest& request) {
 void add_design(Program& program) {
   auto [verb, request] =
       program.add<DesignRequest>("design", "build the best known design, and verify it", run);
-  request.asked.add_to(verb);
+  request.asked.add_to(verb, true, better_kind);
   request.asked.add_strength_to(verb);
   verb.option("--construction", request.construction, "NAME", "use this construction only");
   verb.flag("--leaving", request.leaving, "mark leaving elements too, in tables and LaTeX");

@@ -321,7 +321,7 @@ void add_draw(Program& program) {
               "elements in which consecutive blocks differ (default 2, or as the file says)");
   request.asked.add_strength_to(verb);
   add_kind_to(verb, request.asked.kind, "the last and the first block are consecutive too",
-              "they need not be");
+              std::string("they need not be (") + better_kind + ")");
   verb.option("--from", request.from, "N", "the first block that is drawn, from 1");
   verb.option("--to", request.to, "N", "the last one");
   verb.choice("--order", request.order, {"first", "stays", "given"},

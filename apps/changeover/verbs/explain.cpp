@@ -77,7 +77,7 @@ Answer run(const ExplainRequest& request) {
 void add_explain(Program& program) {
   auto [verb, request] = program.add<ExplainRequest>(
       "explain", "show how a design is built: the tree of its constructions", run);
-  request.asked.add_to(verb);
+  request.asked.add_to(verb, true, better_kind);
   request.asked.add_strength_to(verb);
   verb.option("--construction", request.construction, "NAME", "explain this construction's design");
   request.output.add_to(verb, {"text", "latex", "json"});

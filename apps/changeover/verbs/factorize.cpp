@@ -117,8 +117,8 @@ void add_factorize(Program& program) {
       "factorize", "make a 1-factorization of the complete graph K_N", run);
   verb.positional("N", request.order, "number of vertices, even (odd with --near)");
   verb.choice("--kind", request.kind, {"circle", "doubled"},
-              "circle (GK) or two halves put together (default circle)");
-  verb.flag("--near", request.near, "a near-1-factorization of K_N, N odd");
+              "circle: by rotation, GK_N; doubled: from two copies of K_(N/2) (default circle)");
+  verb.flag("--near", request.near, "a near-1-factorization of K_N, N odd; not with --kind");
   verb.exclude({"--near", "--kind"});
   request.output.add_to(verb, {"text", "json", "svg", "tikz"});
   verb.examples({"changeover factorize 8", "changeover factorize 8 --kind doubled --json",

@@ -56,7 +56,8 @@ void add_manual(Program& program) {
       program.add<ManualRequest>("manual", "print the manual page of a verb, for man", run);
   request.program = &program;
   verb.positional("VERB", request.verb,
-                  "as it is typed: design, or catalog show (default: the program's page)", false);
+                  "name of the verb, such as design or catalog show (default: the program's page)",
+                  false);
   verb.option("--into", request.into, "DIR", "write every page into DIR");
   request.output.add_file_to(verb, {".1", ".man", ".txt"});
   verb.exclude({"--into", "--output"});

@@ -143,7 +143,7 @@ class Rows final : public XmlHandler {
     in_cell_ = false;
     if (has_formula_ && value_.empty() && type_ != "str") {
       fail(
-          "the file does not hold what this formula comes to; open it in a spreadsheet program "
+          "the value of this formula is not stored in the file; open it in a spreadsheet program "
           "and save it");
     }
     std::string text = on_one_line(content());

@@ -53,7 +53,7 @@ ZipArchive::ZipArchive(std::string bytes, std::string name)
   zip_error_fini(&error);
   if (state_->archive == nullptr) {
     state_->fail(
-        fmt::format("begins like a zip archive and is none: {}; it may be cut off, save or "
+        fmt::format("looks like a zip archive, but cannot be read: {}; it may be cut off, save or "
                     "copy it again",
                     what));
   }

@@ -92,7 +92,7 @@ class CostList {
     }
     if (!costs_.emplace(key_of(x, y), cost).second) {
       rows_.fail(row[0],
-                 fmt::format("the pair of '{}' and '{}' has a cost already; keep one of both",
+                 fmt::format("the pair of '{}' and '{}' has a cost already; keep one of the two",
                              row[0].text, row[1].text));
     }
   }

@@ -247,7 +247,7 @@ class PairReader {
         };
         throw BadInput(
             fmt::format("{}: the pair of '{}' and '{}' has two costs, {} and {}; keep "
-                        "one of both",
+                        "one of the two",
                         name_, called(x), called(y), known, cost));
       }
       known = cost;

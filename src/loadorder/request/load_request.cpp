@@ -210,7 +210,7 @@ void check_ranges(const LoadRequest& request, const Words& words) {
                                      words.key("room"), *request.room));
   }
   if (*request.room > most_items) {
-    words.refuse("room", fmt::format("{} {}: give at most {}, the most items that there can be",
+    words.refuse("room", fmt::format("{} {}: give at most {}, the largest number of items",
                                      words.key("room"), *request.room, most_items));
   }
   check_workers_of(request, words);
@@ -259,9 +259,9 @@ void at_least_two_fit(const LoadRequest& request, const Words& words) {
 void check_together(const LoadRequest& request, const Words& words, bool all) {
   const std::uint64_t items = request.items.value_or(0);
   if (request.done_items && *request.done_items >= items) {
-    words.refuse("done_items", fmt::format("{} {}: of {} {} none would be new; give fewer",
-                                           words.key("done_items"), *request.done_items,
-                                           words.key("items"), items));
+    words.refuse("done_items",
+                 fmt::format("{} {}: all {} items would be done, and none new; give fewer",
+                             words.key("done_items"), *request.done_items, items));
   }
   if ((request.disjoint || request.fast_room) && all && items > max_elements_in_memory) {
     words.refuse(request.disjoint ? "disjoint" : "fast_room",
@@ -285,10 +285,11 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
       items > most_items_of_a_table && (request.new_pairs || request.prefetch)) {
     words.refuse(
         "epochs",
-        fmt::format("{} {}: which worker computes a pair in each epoch is known of at most {} "
-                    "items; leave out {}, or group items into larger ones",
-                    words.key("epochs"), *request.epochs, most_items_of_a_table,
-                    words.key(request.new_pairs ? "new_pairs" : "prefetch")));
+        fmt::format("{} {}: {} then takes at most {} items; leave it out, or group items into "
+                    "larger ones",
+                    words.key("epochs"), *request.epochs,
+                    words.key(request.new_pairs ? "new_pairs" : "prefetch"),
+                    most_items_of_a_table));
   }
 }
 

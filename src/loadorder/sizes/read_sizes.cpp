@@ -118,8 +118,9 @@ class SizeList {
       places_.resize(sizes_.size());
     }
     if (sizes_[x] != 0) {
-      rows_.fail(row.front(),
-                 fmt::format("'{}' has a size already; keep one of both", row.front().text));
+      rows_.fail(row.front(), fmt::format("'{}' has a size already, in {} {}; keep one of the two",
+                                          row.front().text, rows_.is_workbook() ? "row" : "line",
+                                          places_[x].first));
     }
     sizes_[x] = *size;
     places_[x] = {row.back().line, row.back().offset};

@@ -42,7 +42,7 @@ Amount operator*(Amount a, std::uint64_t times) {
 
 Amount operator-(Amount a, Amount b) {
   if (b > a) {
-    throw InternalError("an amount of money became negative");
+    throw BadOption("a larger amount cannot be subtracted from a smaller one; compare them first");
   }
   return {a.millionths - b.millionths};
 }
@@ -57,7 +57,7 @@ Amount parse_amount(std::string_view text) {
   const std::string_view decimals = point < text.size() ? text.substr(point + 1) : "";
   if (whole.size() + decimals.size() == 0 || !std::ranges::all_of(whole, is_digit) ||
       !std::ranges::all_of(decimals, is_digit)) {
-    throw BadInput(fmt::format("{} is not a cost; write it as 12 or 12.50", said));
+    throw BadInput(fmt::format("{} is not a cost; write a number, such as 12 or 12.50", said));
   }
   if (decimals.size() > most_decimals) {
     throw BadInput(fmt::format("the cost {} has more than six decimals; round it", said));

@@ -298,7 +298,7 @@ class ActsRule {
     }
     if (++terms_ > deepest_expression) {
       text_.refuse(left.at,
-                   fmt::format("more than {} signs of arithmetic in a rule; write it shorter",
+                   fmt::format("more than {} operators in a rule; split it into several rules",
                                deepest_expression));
     }
     ActsValue value{.term = {.kind = kind}, .at = left.at};

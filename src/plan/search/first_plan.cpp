@@ -96,9 +96,9 @@ RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& 
   if (options.budget) {
     if (spent > *options.budget) {
       throw BadInput(fmt::format(
-          "the tests that come first cost {} by themselves, more than the budget of {}; raise "
-          "the budget, or leave some of them out",
-          to_string(spent), to_string(*options.budget)));
+          "budget of {}: the tests that come first alone cost {}; raise the budget, or leave some "
+          "of them out",
+          to_string(*options.budget), to_string(spent)));
     }
     left.budget = *options.budget - spent;
   }

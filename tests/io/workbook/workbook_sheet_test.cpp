@@ -97,7 +97,7 @@ TEST(WorkbookSheet, OneLineForEachFault) {
     return fault(one_sheet("<row>" + xml + "</row>"));
   };
   EXPECT_THAT(cell("<c/><c><f>A1+1</f></c>"),
-              StartsWith("f.xlsx:Costs!B1: the file does not hold what this formula comes to"));
+              StartsWith("f.xlsx:Costs!B1: the value of this formula is not stored in the file"));
   EXPECT_EQ(cell("<c t='e'><f>1/0</f><v>#DIV/0!</v></c>"),
             "f.xlsx:Costs!A1: the formula here results in '#DIV/0!'; correct it");
   EXPECT_THAT(cell("<c t='s'><v>7</v></c>"), HasSubstr("a text that the workbook does not have"));
@@ -128,7 +128,8 @@ TEST(WorkbookSheet, OtherFilesAreNamed) {
     name += '\0';
   }
   EXPECT_THAT(fault(old + name), HasSubstr("has a password"));
-  EXPECT_THAT(fault("PK\x03\x04 and no more"), HasSubstr("begins like a zip archive and is none"));
+  EXPECT_THAT(fault("PK\x03\x04 and no more"),
+              HasSubstr("looks like a zip archive, but cannot be read"));
   EXPECT_THAT(fault(zipped({{"a.txt", "b"}})), HasSubstr("a zip archive, but no workbook"));
   EXPECT_THAT(fault(zipped({{"mimetype", "application/vnd.oasis.opendocument.spreadsheet"}})),
               HasSubstr("an OpenDocument file"));

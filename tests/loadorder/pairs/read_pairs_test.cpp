@@ -279,7 +279,7 @@ TEST(ReadPairs, AThirdColumnIsWhatAPairCosts) {
   EXPECT_EQ(fault("0 1 2\n1 2\n", costs), "f:2:3: the pairs before have a cost each" + mend);
   EXPECT_EQ(fault("0 1\n1 2 5\n", costs), "f:2:5: the pairs before have no cost" + mend);
   EXPECT_EQ(fault("0 1 2\n0 2 1\n1 0 3\n", costs),
-            "f: the pair of '1' and '0' has two costs, 2 and 3; keep one of both");
+            "f: the pair of '1' and '0' has two costs, 2 and 3; keep one of the two");
   for (const std::string wrong : {"1e", "x5", "0x10", "-", "n/a", "\"12 min\"", "\"1,5\""}) {
     EXPECT_THAT(fault("a,b," + wrong + "\nc,d,2\n", costs), HasSubstr("f:1:5: ")) << wrong;
   }

@@ -107,7 +107,7 @@ TEST(MeantFields, OfParts) {
   EXPECT_THAT(list.quantities, ElementsAre(1, 4, 1));
   EXPECT_THAT(list.slots, ElementsAre("CPU", "", "CPU"));
   EXPECT_EQ(message_of([&] { (void)read(head + "A,CPU,n/a,1\n"); }),
-            "p.csv:2:7: 'n/a' is not a cost; write it as 12 or 12.50");
+            "p.csv:2:7: 'n/a' is not a cost; write a number, such as 12 or 12.50");
   EXPECT_EQ(read(head + "A,CPU,n/a,1\n", true).change_costs.front(), std::nullopt);
   EXPECT_THAT(message_of([&] { (void)read(head + "A,CPU,1,4 boxes\n"); }),
               HasSubstr("'4 boxes' is not a number of pieces"));

@@ -44,7 +44,7 @@ TEST(WorkbookJob, SaysWhichCell) {
   };
   const std::string head = "<row>" + text_cell("part") + text_cell("cost") + "</row>";
   EXPECT_EQ(parts(head + "<row r='4'>" + text_cell("A") + text_cell("much") + "</row>"),
-            "f.xlsx:S!B4: 'much' is not a cost; write it as 12 or 12.50");
+            "f.xlsx:S!B4: 'much' is not a cost; write a number, such as 12 or 12.50");
   EXPECT_THAT(parts(head + "<row>" + text_cell("A") + "</row><row>" + text_cell("A") + "</row>"),
               HasSubstr("f.xlsx:S!A3: a second part is called 'A'"));
   EXPECT_THAT(parts(head + "<row>" +

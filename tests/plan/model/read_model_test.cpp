@@ -267,7 +267,7 @@ TEST(ReadModel, WhatIsTooMuchIsRefusedSoon) {
   for (int i = 0; i < 100'000; ++i) {
     sums += "+B";
   }
-  EXPECT_THAT(complaint(sums + " > 3"), HasSubstr("signs of arithmetic"));
+  EXPECT_THAT(complaint(sums + " > 3"), HasSubstr("operators in a rule"));
 }
 
 TEST(ReadModel, NamesAreNotTooLong) {

@@ -72,7 +72,7 @@ std::string_view to_string(SearchWay way) {
 
 struct SearchJobs::Job : ListedJob {
   static std::string missing_defect(std::uint64_t id) {
-    return fmt::format("there is no search {}; api/search lists those that there are", id);
+    return fmt::format("there is no search {}; api/search lists all searches", id);
   }
 
   SearchOrder order;

@@ -106,6 +106,10 @@ Answer run(const ShowRequest& request) {
   if (cells.size() <= 1) {
     text += (entries.size() == 1 ? "how it is made\n" : "how the first of them is made\n") +
             tree_text(entries.front().recipe);
+    if (entries.front().recipe.construction == "literal") {
+      text += fmt::format("  changeover catalog show {} --format text prints the blocks\n",
+                          entries.front().label());
+    }
   }
   return text_answer(text, request.output);
 }

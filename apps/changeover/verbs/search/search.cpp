@@ -260,7 +260,7 @@ Answer run(const SearchOptions& given) {
 void add_search(Program& program) {
   auto [verb, request] = program.add<SearchOptions>(
       "search", "search for designs with fewer blocks, or prove that there are none", run);
-  request.asked.add_to(verb, false, "the first and last block need not be consecutive (default)");
+  request.asked.add_to(verb, false, linear_kind);
   request.asked.add_strength_to(verb);
   verb.option("-b,--blocks", request.blocks, "B",
               "the number of blocks wanted (default: as few as possible)");
@@ -304,10 +304,10 @@ void add_search(Program& program) {
   verb.never_with(wanted, {"--order", "--extend", "--repair", "--checkpoint"});
   verb.never_with({"--first"}, {"--base-blocks"}, "a development has no first block");
   verb.never_with({"--last"}, {"--base-blocks"}, "a development has no last block");
-  verb.not_built_with({"--contains"}, {"--base-blocks"},
-                      "an automorphism makes all blocks from a few base blocks");
-  verb.not_built_with({"--expansion-set"}, {"--base-blocks"},
-                      "an automorphism makes all blocks from a few base blocks");
+  verb.not_served_with({"--contains"}, {"--base-blocks"},
+                       "which makes all blocks from a few base blocks");
+  verb.not_served_with({"--expansion-set"}, {"--base-blocks"},
+                       "which makes all blocks from a few base blocks");
   verb.only_with({"--anew"}, {"--first", "--last", "--expansion-set", "--contains", "--exact"});
   verb.never_with({"--blocks"}, {"--order", "--repair"});
   verb.never_with({"--strength"}, {"--order"});

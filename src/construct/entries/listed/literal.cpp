@@ -47,8 +47,8 @@ class Literal final : public Described<Entry, description> {
   std::string explain(const Recipe& recipe) const override {
     const std::string blocks =
         recipe.blocks.size() == 1
-            ? "The one block that is listed"
-            : fmt::format("The {} blocks that are listed", recipe.blocks.size());
+            ? "The one block is stored with the design"
+            : fmt::format("The {} blocks are stored with the design", recipe.blocks.size());
     return recipe.provenance.empty() ? blocks + "."
                                      : fmt::format("{}, from: {}.", blocks, recipe.provenance);
   }

@@ -121,9 +121,10 @@ Amount CostReader::number(const Field& field, std::string text) {
   try {
     return parse_amount(text);
   } catch (const Error& fault) {
-    reader_->fail(
-        field, comma ? fmt::format("{} is not a cost; write it as 12 or 12,50", shown(field.text))
-                     : std::string(fault.what()));
+    reader_->fail(field, comma
+                             ? fmt::format("{} is not a cost; write a number, such as 12 or 12,50",
+                                           shown(field.text))
+                             : std::string(fault.what()));
   }
 }
 

@@ -103,9 +103,10 @@ ExtraRows::Kind ExtraRows::take(const Row& row, const Row& header, const SetupCo
     return skip(Kind::heads, "the heads again");
   }
   if (may_be_heads(row, header, columns, finder) && setup_columns(row, finder, false).header) {
-    reader.fail(row.front(), fmt::format("other heads than those in row {}; give one sheet at a "
-                                         "time, or order its columns as those above",
-                                         header.front().line));
+    reader.fail(row.front(),
+                fmt::format("these headings differ from those in row {}; give one sheet at a "
+                            "time, or order its columns as those above",
+                            header.front().line));
   }
   const std::string& result = columns.result ? text_at(row, *columns.result) : std::string();
   const bool has_result = was_run(result);

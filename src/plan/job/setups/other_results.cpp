@@ -72,8 +72,8 @@ void OtherResults::say(DoneList& list, const Row& header, const SetupColumns& co
     if (lower_case(head) != "result") {
       reader.fail(
           silence->second.at,
-          fmt::format("{} in the column {}, but the column {} says nothing; call the one "
-                      "with the results result, and head the other one otherwise",
+          fmt::format("{} in the column {}, but the column {} says nothing; name "
+                      "the column with the results 'result', and rename the other",
                       shown(silence->second.result), shown(head), shown(header[*said_].text)));
     }
   }

@@ -39,9 +39,9 @@ class WithinBudget {
         counted(*field_, "the first tests", "no test after them", BenchLists(field_->size()));
     if (none.cost > budget) {
       throw BadInput(fmt::format(
-          "the tests that come first cost {} by themselves, more than the budget of {}; raise "
-          "the budget, or leave some of them out",
-          to_string(none.cost), to_string(budget)));
+          "budget of {}: the tests that come first alone cost {}; raise the budget, or leave some "
+          "of them out",
+          to_string(budget), to_string(none.cost)));
     }
     constexpr std::size_t few = 3;
     for (std::size_t i = 0; i < std::min(few, plan_->candidates.size()); ++i) {

@@ -18,7 +18,7 @@ TEST(Literal, BuildsTheBlocksAsGiven) {
   const Design design = standard().build_design(literal(six, three_blocks));
   EXPECT_EQ(design.blocks(), three_blocks);
   EXPECT_EQ(construction("literal").explain(literal(six, three_blocks)),
-            "The 3 blocks that are listed.");
+            "The 3 blocks are stored with the design.");
 }
 
 TEST(Literal, BuildsListsThatAreNoDesigns) {

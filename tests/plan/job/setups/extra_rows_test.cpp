@@ -60,10 +60,11 @@ TEST(ExtraRows, WhatMayBeATestIsNotSkipped) {
 }
 
 TEST(ExtraRows, OtherHeadsAreOfAnotherSheet) {
-  EXPECT_THAT(fault(head + first + "step,slot_1,slot_2,put_in,new_pairs,result,seen\n"),
-              HasSubstr("d.csv:3:1: other heads than those in row 1; give one sheet at a time"));
+  EXPECT_THAT(
+      fault(head + first + "step,slot_1,slot_2,put_in,new_pairs,result,seen\n"),
+      HasSubstr("d.csv:3:1: these headings differ from those in row 1; give one sheet at a time"));
   EXPECT_THAT(fault(head + first + "step,put_in,slot_1,slot_2,slot_3,result,seen\n"),
-              HasSubstr("other heads"));
+              HasSubstr("these headings differ from those in row 1"));
 }
 
 TEST(ExtraRows, ALineWithASignOfCommentsIsATestIfItHasOne) {

@@ -120,8 +120,8 @@ TEST(GoneParameters, OneHeadedLikeResultsIsNotTakenForThem) {
   const std::string model = "OS: a, b, c\nC: p, q\n";
   const std::string rows = "a,ok,p,pass\nb,bad,p,fail\nc,ok,q,\n";
   EXPECT_EQ(fault("OS,Outcome,C,Ergebnis\n" + rows, model),
-            "d.csv:4:3: 'ok' in the column 'Outcome', but the column 'Ergebnis' says nothing; call "
-            "the one with the results result, and head the other one otherwise");
+            "d.csv:4:3: 'ok' in the column 'Outcome', but the column 'Ergebnis' says nothing; name "
+            "the column with the results 'result', and rename the other");
   EXPECT_EQ(fault("OS,Outcome,C,Ergebnis\na,ok,p,pass\nb,bad,p,fail\n", model), "none");
   // The one that is called so has them, whatever another one does not say.
   EXPECT_THAT(read("OS,result,C,Ergebnis\na,ok,p,pass\nb,bad,p,\n", model).notes,
