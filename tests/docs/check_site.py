@@ -6,7 +6,8 @@ usage: check_site.py SITE          all HTML, style sheets and scripts of a folde
 
 Of a site: nothing that a page loads (scripts, styles, pictures, fonts, frames) is anywhere but in
 the site, links between pages lead to files and anchors that are there, and no script has an address
-to ask. Of the sources: links lead to files and headings that are there.
+to ask. Of the sources: links lead to files and headings that are there, and a link that has the
+name of a header leads to it.
 """
 
 import html.parser
@@ -229,6 +230,11 @@ def page_faults(root):
         for number, line in enumerate(text.split("\n"), 1):
             for match in re.finditer(r"\]\(([^)\s]+)\)", re.sub(r"`[^`]*`", "", line)):
                 address = match.group(1)
+                called = re.search(r"\[([\w/]+\.hp?p?)$", line[: line.find(f"]({address})")])
+                if called and not f"/{address}".endswith(f"/{called.group(1)}"):
+                    faults.append(
+                        f"{page.relative_to(root)}:{number}: calls {address} {called.group(1)}"
+                    )
                 if re.match(r"[a-z]+:", address):
                     continue
                 path, _, anchor = address.partition("#")

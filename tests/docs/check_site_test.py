@@ -87,7 +87,7 @@ class Sources(unittest.TestCase):
             self.assertEqual(self.faults(right), [], right)
         for wrong in (
             "[a](docs/b.md)", "[a](docs/a.md#b)", "[a](docs/a.md#no-heading)", "[a](#here)",
-            "![a](docs/a.png)",
+            "![a](docs/a.png)", "[b.hpp](docs/a.md)", "[docs/a.h](docs/a.md)",
         ):
             self.assertEqual(len(self.faults(wrong)), 1, wrong)
 
