@@ -18,9 +18,10 @@ nitpicky = True
 nitpick_ignore_regex = [
     (
         r"py:.*",
-        r"(collections\.abc\.|typing\.|decimal\.)?"
+        r"(collections\.abc\.|typing\.|decimal\.|datetime\.|os\.)?"
         r"(int|str|bool|float|None|object|list|dict|tuple|range|slice|memoryview|Any|Literal|Union"
-        r"|Callable|Iterable|Iterator|Mapping|Sequence|SupportsIndex|Decimal|\w*Error|Exception)",
+        r"|Callable|Iterable|Iterator|Mapping|Sequence|SupportsIndex|Decimal|date|PathLike|\w*Error"
+        r"|Exception)",
     )
 ]
 # Names for types of arguments, which the page of the reference explains.
@@ -28,7 +29,7 @@ nitpick_ignore = [
     ("py:class", name)
     for name in (
         "Cost", "Part", "Pair", "Parts", "Pairs", "Room", "Done", "Objective", "CostUnit",
-        "Benches", "First", "Model",
+        "Benches", "First", "Model", "Day",
     )
 ]
 smartquotes = False

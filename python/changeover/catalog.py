@@ -100,7 +100,8 @@ def add(design: Design, *, who: str, date: Union[str, datetime.date], note: str 
         label: str = _core.Entry.add(design._core, who, day_of("date", date), note)
     except BadInput as fault:
         # No file has the line that is at fault.
-        raise BadInput(re.sub(r"^the design:\d+:\d+: ", "", str(fault))) from None
+        words = re.sub(r"^the design:\d+:\d+: ", "", str(fault))
+        raise BadInput(words) from None
     return label
 
 

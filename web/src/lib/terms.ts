@@ -136,7 +136,7 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
     'of a load order: number of loads of the busiest worker; of a plan for several benches: ' +
       'the end of the last test',
   ],
-  ['accelerator', 'a device with a memory of its own into which items are loaded, as a GPU'],
+  ['accelerator', 'a device with its own memory, into which items are loaded, as a GPU'],
   ['epoch', 'one pass of a training through all that it has to read'],
   ['test, set-up', 'parts that are mounted together at one time'],
   ['change', 'of a run sheet: one part that is put in before a test; each can have its own cost'],

@@ -123,7 +123,7 @@ export const glossary: Page = {
         'p',
         {},
         'The words that the program, its pages and its documentation use, in the order in which ' +
-          'a newcomer meets them. The sign # beside a term is a link of its own.',
+          'a newcomer meets them. The sign # beside a term is a link to it.',
       ),
       h('div', { class: 'glossary-columns' }, h('div', {}, find, list), example()),
     );

@@ -162,7 +162,7 @@ export function jobForm(
   const go = h('button', { type: 'submit' }, 'Plan');
   const inBar = h('span', { class: 'plan-bar-said' });
   function showAim(): void {
-    // Several benches have an aim of their own.
+    // The aims of several benches differ from those of one.
     aimField.hidden = source !== 'model' || benches.benches().length > 0;
   }
   function refresh(): void {

@@ -452,7 +452,7 @@ export class PlanPage {
     void this.plan(tests, this.state.outcome!.places);
   }
 
-  /** When days begin is a matter of the page: nothing is planned anew. */
+  /** When days begin is a matter of the page: the plan stays. */
   private retimed(dayBegins: string): void {
     if (!this.state.outcome || this.state.job.dayBegins === dayBegins) {
       return;

@@ -1,4 +1,4 @@
-// Parts that a plan has on several benches at the same time, where nobody said how many there are.
+// Parts that a plan has on several benches at the same time, where the list does not say how many there are.
 import type { Job } from './job';
 import type { Outcome } from './outcome';
 

@@ -435,7 +435,7 @@ export function runSheet(
       skipped,
       strip?.element,
       strip && outcome.doneBefore > 0
-        ? h('p', { class: 'hint' }, 'Time begins anew with the first test that is left.')
+        ? h('p', { class: 'hint' }, 'Time starts again with the first test that is left.')
         : null,
       benches
         ? null
