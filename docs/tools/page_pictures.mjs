@@ -97,7 +97,7 @@ const pages = [
     "plan",
     "#/plan",
     async (page) => {
-      await page.getByText(/^(Try an example|a pump bench)$/).click();
+      await page.getByRole("button", { name: "Try it: a pump bench" }).click();
       await page.getByText("What if").first().waitFor(soon);
       await page.waitForTimeout(2000);
       await toTop(page, ".verdict");
