@@ -3,9 +3,9 @@
 //     check(Parameters{.v = 61, .k = 4});
 //     std::cout << version << '\n';
 //
-// What is included here is the public interface: these headers include each other, the standard library
-// and nothing else, and what they do not show may change at any time. A program that needs one module
-// includes its headers only, which compile faster.
+// What is included here is the public interface: these headers include each other, the standard
+// library and nothing else, and what they do not show may change at any time. A program that needs
+// one module includes its headers only, which compile faster.
 //
 // Pages that comments name, as docs/theorems.md, are in the sources and on the site that
 // `./dev docs` makes; what is below src/ is internal.

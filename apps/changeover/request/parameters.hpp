@@ -25,8 +25,8 @@ void add_kind_to(Verb& verb, std::optional<Kind>& kind, const std::string& circu
 /// The number that a text is; nothing for any other text, and for what is too large.
 [[nodiscard]] std::optional<std::uint64_t> whole_number(const std::string& text);
 
-/// What `without` of ParameterRequest::add_to() says where known designs of both kinds are looked up
-/// and the better one is taken.
+/// What `without` of ParameterRequest::add_to() says where known designs of both kinds are looked
+/// up and the better one is taken.
 inline constexpr const char* better_kind =
     "default: the kind with fewer blocks known, circular if equal";
 inline constexpr const char* linear_kind = "default";
@@ -40,8 +40,8 @@ struct ParameterRequest {
   std::optional<std::uint64_t> strength;
   std::optional<Kind> kind;
 
-  /// V K [--change M] [--circular | --linear], V and K required. `without` says what holds without a
-  /// kind.
+  /// V K [--change M] [--circular | --linear], V and K required. `without` says what holds without
+  /// a kind.
   void add_to(Verb& verb, bool required, const std::string& without);
 
   /// LABEL | V K, as they are typed, with what is said after V K.

@@ -84,7 +84,8 @@ std::string doors() {
          doors_table(records_of(load_table())) +
          "- C has members of `changeover_loadorder_options`, arguments and functions "
          "(`changeover/loadorder/changeover_loadorder.h`). Its steps evict and load items of one "
-         "size, in one memory, so it takes no keys of sizes, levels, stores and overlap; `balance` is its default.\n";
+         "size, in one memory, so it takes no keys of sizes, levels, stores and overlap; `balance` "
+         "is its default.\n";
 }
 
 Answer run(const DescribeRequest& request) {

@@ -30,7 +30,8 @@ namespace changeover {
 class Catalog;
 class Registry;
 
-/// Where a construction comes from: a key of references.bib (docs/ of the sources) and a place in it.
+/// Where a construction comes from: a key of references.bib (docs/ of the sources) and a place in
+/// it.
 struct Citation {
   std::string key;    ///< e.g. "ChafeeStevens2025"
   std::string place;  ///< e.g. "Theorem 2"; may be empty

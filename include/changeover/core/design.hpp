@@ -48,8 +48,9 @@ struct Recipe {
 };
 
 /// Returns why no element can have this name, and how to correct it; nullopt if one can. A name is
-/// printable UTF-8 (no control characters, none that change the writing direction), not empty, and has no white space, comma, double quote
-/// or '#', so that every format can carry it and every terminal can show it.
+/// printable UTF-8 (no control characters, none that change the writing direction), not empty, and
+/// has no white space, comma, double quote or '#', so that every format can carry it and every
+/// terminal can show it.
 [[nodiscard]] std::optional<std::string> label_defect(std::string_view label);
 
 /// Blocks in memory: b·k elements in one array.

@@ -1,8 +1,9 @@
 // Faults, one class for each party that can be at fault.
 //
-// "No such design", "unknown" and "limit reached" are values. What is thrown derives from Error, and
-// its class says whose fault it is. One exception: within a RunScope that you open, work that is
-// stopped throws Stopped (run/control.hpp), which is not an error and does not derive from Error.
+// "No such design", "unknown" and "limit reached" are values. What is thrown derives from Error,
+// and its class says whose fault it is. One exception: within a RunScope that you open, work that
+// is stopped throws Stopped (run/control.hpp), which is not an error and does not derive from
+// Error.
 //
 //     try {
 //       Design design = read_design("mine.txt");

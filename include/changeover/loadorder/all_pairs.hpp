@@ -24,8 +24,9 @@
 //
 // A journal belongs to one job: its name, its data (as identified by ItemSource::fingerprint()),
 // its order, its share, and the place of its results. The journal of another job is refused before
-// anything is changed. Each line has a checksum of all lines before it: from the first line that was
-// edited, moved or added, no line counts. Checksums are not signatures: wrong results with a forged journal are accepted.
+// anything is changed. Each line has a checksum of all lines before it: from the first line that
+// was edited, moved or added, no line counts. Checksums are not signatures: wrong results with a
+// forged journal are accepted.
 //
 // *Several processes.* With share = {i, n} this process takes the i-th of n stretches of the order,
 // or of the given shares (loadorder/workers.hpp). Together the processes compute each pair once, as

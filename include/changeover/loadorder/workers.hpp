@@ -214,9 +214,9 @@ class WorkerSplit {
 
 /// Returns the shares of one epoch, repeated. Each worker goes through its share forward and
 /// backward in turn (loadorder/load_order.hpp), keeps its memory between epochs, and computes the
-/// same pairs in each. The result is verified up to 2³⁴ pairs and 2·10⁸ loads in all epochs together,
-/// and who computes which pair up to 3·10⁷ pairs; facts().certificate says what was checked. Above
-/// 5,000 items owners() is null, except for listed pairs. @throws as repeat_order()
+/// same pairs in each. The result is verified up to 2³⁴ pairs and 2·10⁸ loads in all epochs
+/// together, and who computes which pair up to 3·10⁷ pairs; facts().certificate says what was
+/// checked. Above 5,000 items owners() is null, except for listed pairs. @throws as repeat_order()
 [[nodiscard]] WorkerSplit repeat_shares(WorkerSplit split, std::uint64_t epochs);
 
 // Load orders for workers that step together and never hold one item twice: what training needs,
@@ -262,8 +262,8 @@ class WorkerSplit {
 
 /// Returns the best known order, verified by ScheduleCheck. With `options.search_pairs` it is
 /// improved until the time is over, otherwise for a fixed amount of work. @throws as
-/// plan_load_order(); BadInput if W is 0 or exceeds 65,536; ImpossibleParameters above 65,535 items,
-/// unless pairs are listed.
+/// plan_load_order(); BadInput if W is 0 or exceeds 65,536; ImpossibleParameters above 65,535
+/// items, unless pairs are listed.
 [[nodiscard]] LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room,
                                             std::uint64_t workers,
                                             const LoadOrderOptions& options = {});

@@ -21,9 +21,9 @@
 // `start`. The parts are matched in min(|O|,|N|) pairs of one part of O and one of N so that the
 // step is cheapest. A pair (o, n) costs replace_cost(o, n). The other parts of N go to empty
 // places, each at its own change cost; the other parts of O are taken out at no cost. With slots, a
-// part only takes the place of a part of the same slot, and likewise for parts in no slot. Such jobs
-// have no plans for weighed pairs or exchanged parts: BadInput. A list that starts on an empty bench
-// pays for its first set-up as without replacement costs.
+// part only takes the place of a part of the same slot, and likewise for parts in no slot. Such
+// jobs have no plans for weighed pairs or exchanged parts: BadInput. A list that starts on an empty
+// bench pays for its first set-up as without replacement costs.
 //
 // If some set-ups must come `first`, the list begins with them, in their order. They break no
 // constraint, their pairs count, and they cost as much as others.

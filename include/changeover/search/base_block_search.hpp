@@ -17,8 +17,9 @@
 //           orbit of pairs is newly covered exactly once, and each element has a degree that the
 //           degree identity allows. It can answer that this shape has no base blocks; that is a
 //           statement of the solver, not a certificate.
-//   anneal  segment swaps made in all images at once (internal: src/search/local/segment_orbits.hpp);
-//           for larger parameters with some slack. It never answers that there are none.
+//   anneal  segment swaps made in all images at once (internal:
+//           src/search/local/segment_orbits.hpp); for larger parameters with some slack. It never
+//           answers that there are none.
 //   automatic  a short annealing, then sat if the formula is small enough, then the rest of the
 //           annealing; for tight designs of few base blocks, sat first.
 //

@@ -7,11 +7,11 @@
 //     decision.excluded();                // true: there is none, and the proof was checked
 //     decision.parts.front().proof_path;  // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
 //
-// The question becomes a formula (internal: src/search/exact/exact_encoding.hpp) for a SAT solver. A design
-// is verified before it is returned. "None" is returned only after a check of the solver's DRAT
-// proof, which is read back from the disk with the formula. The checker (module proof) shares no code
-// with what made them, and other checkers can read the two files, too. docs/trust.md says what
-// remains to be trusted.
+// The question becomes a formula (internal: src/search/exact/exact_encoding.hpp) for a SAT solver.
+// A design is verified before it is returned. "None" is returned only after a check of the solver's
+// DRAT proof, which is read back from the disk with the formula. The checker (module proof) shares
+// no code with what made them, and other checkers can read the two files, too. docs/trust.md says
+// what remains to be trusted.
 //
 // The design may be wanted with more than that (search/wanted.hpp): then it is one that has it, and
 // "none" is about designs that have it, and says nothing about others.

@@ -14,7 +14,8 @@
 // options and the seed.
 //
 // Method. Kinds of attempts compete, each with a budget of moves that doubles when it fails:
-//   - blocks without symmetry, from random lists (internal: src/search/local/), at two ranges of temperature;
+//   - blocks without symmetry, from random lists (internal: src/search/local/), at two ranges of
+//     temperature;
 //   - the best design so far less one block, annealed at lower temperatures;
 //   - for linear designs, the best circular one known, begun at each of its blocks in turn, without
 //     as many blocks at the end as are too many, annealed at the lowest temperatures;

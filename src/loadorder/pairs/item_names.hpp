@@ -28,7 +28,8 @@ void take_fields(Row& row, const RowReader& rows);
 /// null.
 void note_heading(const RowReader& rows, const Row& heading, std::vector<std::string>* notes);
 
-/// Notes that the first row was read as a pair of items, with its place; nothing if `notes` is null.
+/// Notes that the first row was read as a pair of items, with its place; nothing if `notes` is
+/// null.
 void note_first_pair(const RowReader& rows, const Row& row, std::vector<std::string>* notes);
 
 /// Calls `take` with each row that has fields, but not with a first one that is a heading, which is

@@ -359,8 +359,8 @@ void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
     out.write(fmt::format(
         "# Proofs about the {}{}\n\nWritten by changeover {}. At least {}: {}\n\nEach formula "
         "(DIMACS, `.cnf`) says that there is such a design with so many blocks: variable v*i + e + "
-        "1 says that block i holds element e, both from 0. Each proof (DRAT, `.drat`) shows that the "
-        "formula has no solution. Both are text. Any DRAT checker reads them:\n\n"
+        "1 says that block i holds element e, both from 0. Each proof (DRAT, `.drat`) shows that "
+        "the formula has no solution. Both are text. Any DRAT checker reads them:\n\n"
         "    drat-trim NAME.cnf NAME.drat\n\nprints `s VERIFIED`. The program's own checker has "
         "checked them, too. What has to be trusted is that the formula says what it should, and "
         "the bound above.\n\n{}",

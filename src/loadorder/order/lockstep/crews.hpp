@@ -17,8 +17,8 @@ struct Crew {
 };
 
 /// The crews that are tried, the largest first. If W·C ≤ P, all workers with all their room.
-/// Otherwise ⌊P/C⌋, ⌈P/C⌉, ⌊P/2⌋, and W, ⌊W/2⌋, ⌊W/4⌋, … down to the first that is at most ⌊P/C⌋ or 1;
-/// of these the ones of at most W and ⌊P/2⌋ workers, or of one. Each worker has room for
+/// Otherwise ⌊P/C⌋, ⌈P/C⌉, ⌊P/2⌋, and W, ⌊W/2⌋, ⌊W/4⌋, … down to the first that is at most ⌊P/C⌋ or
+/// 1; of these the ones of at most W and ⌊P/2⌋ workers, or of one. Each worker has room for
 /// min(C, ⌊P/workers⌋) items, a single one for C: together they have room for no more than all. So
 /// the crews of ⌊W/2⌋ workers are among those of W workers, if these are crowded. At least one.
 [[nodiscard]] std::vector<Crew> crews(std::uint64_t items, std::uint64_t room,

@@ -22,8 +22,8 @@ class GoneParameters {
   void find(const Row& header, const PartFinder& finder, const RowReader& reader,
             SetupColumns& columns);
 
-  /// Whether such columns certainly had values of a parameter: a test with one there may have failed
-  /// by it. In a list by hand they may be of the user's own.
+  /// Whether such columns certainly had values of a parameter: a test with one there may have
+  /// failed by it. In a list by hand they may be of the user's own.
   [[nodiscard]] bool are_certain() const { return !is_by_hand_; }
 
   /// Looks at what is in such a column.
@@ -33,8 +33,9 @@ class GoneParameters {
   /// that is written as a value out of range may have hidden the rest.
   void look_beside(const Row& row, const PartFinder& finder, DoneRow& done) const;
 
-  /// Notes each column, in a list by hand with the head that it needs to be one, and which parameter it may be instead, if all of its values are its own;
-  /// and columns in front that may be one.
+  /// Notes each column, in a list by hand with the head that it needs to be one, and which
+  /// parameter it may be instead, if all of its values are its own; and columns in front that may
+  /// be one.
   void say(const RowReader& reader, DoneList& list) const;
 
  private:

@@ -1,5 +1,5 @@
-// Interprets the column `result`, for which changeover/plan/job.hpp has result_of(), too. A doubtful
-// result is unread, because a wrong pass would hide a fault.
+// Interprets the column `result`, for which changeover/plan/job.hpp has result_of(), too. A
+// doubtful result is unread, because a wrong pass would hide a fault.
 #pragma once
 
 #include <string_view>
