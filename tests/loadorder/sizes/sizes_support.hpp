@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "pairs/pairs_support.hpp"
+#include "../pairs/pairs_support.hpp"
 
 namespace changeover::test {
 
