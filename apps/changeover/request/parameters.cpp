@@ -128,8 +128,8 @@ ReadOptions ParameterRequest::reading() const {
 }
 
 Range range_of(const std::string& option, const std::string& text, std::uint64_t least) {
-  const auto number = [&](std::string_view digits) {
-    const auto value = parsed<std::uint64_t>(digits);
+  const auto number = [&](std::string_view word) {
+    const auto value = parsed<std::uint64_t>(word);
     if (!value) {
       throw UsageError{fmt::format("{} {}: write A..B, ..B or A with whole numbers", option, text)};
     }

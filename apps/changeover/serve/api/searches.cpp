@@ -75,16 +75,17 @@ void check_way(const SearchOrder& order) {
 
 unsigned threads_of(JsonBody& body) {
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const Refusal wrong{422,
-                      fmt::format("threads: write 1 to {}, as many as this machine has", cores)};
+  const auto refusal = [&] {
+    return Refusal{422, fmt::format("threads: write 1 to {}, as many as this machine has", cores)};
+  };
   std::uint64_t threads = 0;
   try {
     threads = body.number("threads").value_or(1);
   } catch (const Refusal&) {  // Which says that it is no whole number, and not which are.
-    throw wrong;
+    throw refusal();
   }
   if (threads < 1 || threads > cores) {
-    throw wrong;
+    throw refusal();
   }
   return static_cast<unsigned>(threads);
 }

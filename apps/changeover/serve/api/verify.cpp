@@ -101,13 +101,13 @@ static std::string repaired_json(const Design& list, RunControl& control) {
 }
 
 static Response repaired(const Request& request) {
-  constexpr std::size_t most_blocks = 20'000;
+  constexpr std::size_t most_repaired = 20'000;
   constexpr std::chrono::duration<double> most_time{10};
   const Design list = read_design(input_from_text(request.body), reading_of(request));
-  if (list.block_count() > most_blocks) {
+  if (list.block_count() > most_repaired) {
     throw Refusal{413, fmt::format("the list has {} blocks, and at most {} are repaired here; "
                                    "changeover search --repair FILE has no such limit",
-                                   list.block_count(), most_blocks)};
+                                   list.block_count(), most_repaired)};
   }
   RunControl control(*RunScope::current(), most_time);
   std::string answer = repaired_json(list, control);
