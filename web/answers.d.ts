@@ -177,8 +177,8 @@ export type Job = {
     | null;
   /**
    * of several benches: the earliest end of the last test (makespan) or the least cost together;
-   * of a model on one bench: the least cost or the fewest tests (default: makespan of benches,
-   * cost of a model on one)
+   * of a model, on one bench or several: the least cost or the fewest tests (default: makespan of
+   * benches, cost of a model on one)
    */
   objective?: ('makespan' | 'cost' | 'tests') | null;
   /** hours of work a day, for benches that give none; costs are then in hours */
@@ -342,7 +342,7 @@ export interface Benches {
   format: 'changeover-benches/1';
   title: string;
   benches: number;
-  objective: 'makespan' | 'cost';
+  objective: 'makespan' | 'cost' | 'tests';
   cost: number;
   makespan: number;
   tests: number;
@@ -353,6 +353,7 @@ export interface Benches {
   triples_tested: number;
   lower_bound: {
     cost: number;
+    tests: number;
     makespan: number;
     cost_reason: string;
     makespan_reason: string;
@@ -371,6 +372,7 @@ export interface Benches {
     name: string;
     values: {value: string; part: string; names: string[]; out_of_range: boolean}[];
   }[];
+  proved_fewest_tests?: boolean;
   rules?: number;
   sheets: {
     bench: number;

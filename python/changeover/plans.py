@@ -486,7 +486,8 @@ def plan(
     values, and lack some in first. change_costs: a dict from 'OS', ('OS', 'Debian') or
     ('OS', 'Debian', 'Fedora'), Fedora in place of Debian, to costs; ('OS', 'Debian', 'quantity')
     is how many benches can have Debian at once. objective: 'cost' (None), or 'tests', the fewest
-    tests and then the least cost, which asks for no costs.
+    tests, which asks for no costs: on one bench then at the least cost, on several, of all of them
+    together, done as early as can be.
 
     Raises BadInput with the reason if no list can do it.
     """

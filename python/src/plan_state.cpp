@@ -225,8 +225,7 @@ std::unique_ptr<Planned> planned_again(const py::tuple& state) {
   PlanAnswer& answer = again->answer;
   answer.notes = std::get<std::vector<std::string>>(fields);
   answer.options = plan_options(again->asked);
-  answer.objective =
-      again->request.objective == "cost" ? BenchObjective::cost : BenchObjective::makespan;
+  answer.objective = bench_objective(again->request);
   stoppable([&] {
     if (plan) {
       answer.plan = plan_of(again->job(), *plan);

@@ -61,6 +61,29 @@ TEST(ModelUsage, TheFewestTestsNeedNoCosts) {
   EXPECT_EQ(plan.at("lower_bound").at("tests"), 18);
 }
 
+TEST(ModelUsage, TheFewestTestsAreSharedByBenches) {
+  const TemporaryFolder folder;
+  const std::string ask =
+      "$changeover plan --model " + data("ranges.txt") + " --objective tests --benches 3";
+  const auto plan = answer_of(ask + " --json" + few, folder);
+  EXPECT_EQ(plan.at("objective"), "tests");
+  EXPECT_EQ(plan.at("tests"), 18);
+  EXPECT_EQ(plan.at("lower_bound").at("tests"), 18);
+  EXPECT_EQ(plan.at("proved_fewest_tests"), true);
+  std::size_t together = 0;
+  for (const auto& sheet : plan.at("sheets")) {
+    together += sheet.at("steps").size();
+    EXPECT_GT(sheet.at("steps").size(), 0U);
+  }
+  EXPECT_EQ(together, 18U);
+  expect({{ask + few, 0, "no plan for all pairs has fewer tests: this is the lower bound"},
+          {ask + " --budget 9" + few, 0,
+           "no plan for all pairs has fewer than 18 tests (one with 18 was found)"},
+          {"$changeover plan --model " + data("ranges.txt") + " --objective tests --budget 9" + few,
+           0, "no plan for all pairs has fewer than 18 tests (one with 18 was found)"}},
+         folder);
+}
+
 TEST(ModelUsage, ModelsOfEveryKindAreRead) {
   const TemporaryFolder folder;
   for (const char* const file :
@@ -184,7 +207,8 @@ TEST(ModelUsage, WhatMeansNothingIsRefused) {
   expect(
       {{plan + " --items 5 -k 3", 2, "--items N has no meaning with --model; leave it out"},
        {plan + " -k 3", 2, "--at-once K has no meaning with --model"},
-       {plan + " --benches 2 --objective tests", 2, "--objective tests is for one bench"},
+       {"$changeover plan --items 6 -k 3 --test-cost 1 --benches 2 --objective tests", 2,
+        "--objective tests is for a model"},
        {plan + " --shuffle 3", 2, "--shuffle SEED has no meaning with --model"},
        {plan + " --objective makespan", 2, "--objective makespan is for several benches"},
        {plan + " --strength 4", 2, "--strength 4: give 2, for pairs, or 3, for triples"},

@@ -77,9 +77,15 @@ struct Bench {
 /// The cost of one hour: 60 if costs are minutes, 1 if no unit is given.
 [[nodiscard]] std::uint64_t costs_of_hour(const Job& job);
 
-/// The objective: the smallest makespan, and among equal ones the smallest total cost; or the
-/// reverse.
-enum class BenchObjective { makespan, cost };
+/// What comes first in the order of plans.
+enum class BenchObjective {
+  makespan,  ///< the makespan, then the total cost
+  cost,      ///< the total cost, then the makespan
+  tests      ///< the tests of all benches together, then the makespan; for jobs of a model only
+};
+
+/// "makespan", "cost" or "tests".
+[[nodiscard]] const char* to_string(BenchObjective objective);
 
 struct BenchOptions {
   std::uint64_t benches = 2;
@@ -181,12 +187,16 @@ struct BenchPlan : BenchCount {
   std::uint64_t steps = 0;                       ///< moves of local search
   WhyStopped why_stopped = WhyStopped::running;  ///< as in RunPlan
   std::optional<std::string> shortage;           ///< as in RunPlan
+
+  /// All pairs are tested with the number of tests of the bound, so no plan has fewer.
+  [[nodiscard]] bool proved_fewest() const { return does_the_job() && tests == bound.tests; }
 };
 
 /// Returns the best plan found for these benches; there always is one. The plan for one bench is
 /// cut into lists of about equal cost, these are shortened, and a local search moves set-ups and
 /// parts within and between benches. The rest of the current plans is a candidate, too. With a
-/// budget: the plan that tests the most weight within it. @throws BadInput for no bench or more
+/// budget: the plan that tests the most weight within it. For the fewest tests, the shortest list
+/// of one bench is cut, and the search adds no test. @throws BadInput for no bench or more
 /// than max_benches, for bench_defects(), for a job that weighs pairs without a budget, and as
 /// make_run_plan().
 [[nodiscard]] BenchPlan make_bench_plan(const CheckedJob& job, const BenchOptions& options,
@@ -197,7 +207,8 @@ struct BenchPlan : BenchCount {
 /// The documents of sheet_formats.hpp for all benches: one table per bench; CSV with a column
 /// `bench`; JSON, format "changeover-benches/1": title, benches, objective, cost, makespan, tests,
 /// changes, why_stopped, pairs_needed, pairs_tested, triples_needed, triples_tested, lower_bound
-/// {cost, makespan, cost_reason, makespan_reason}, cost_unit, places, sheets [{bench, tests,
+/// {cost, tests, makespan, cost_reason, makespan_reason}, of a model proved_fewest_tests,
+/// cost_unit, places, sheets [{bench, tests,
 /// changes, cost, steps [{step, take_out, put_in, set_up, places, new_pairs (their number), cost,
 /// cost_so_far, begin, end}]}], candidates [{name, how, tests, changes, cost, makespan}], notes; in
 /// each step replaced [[out, in]] if costs depend on what is replaced. With hours a day a step also

@@ -193,6 +193,9 @@ struct PlanAnswer {
   [[nodiscard]] WhyStopped why_stopped() const;
 };
 
+/// The objective of plans for several benches.
+[[nodiscard]] BenchObjective bench_objective(const JobRequest& request);
+
 /// The search options of a request.
 [[nodiscard]] PlanOptions plan_options(const CheckedJobRequest& asked);
 

@@ -92,7 +92,8 @@ std::vector<RequestOption<R>> options() {
                  &R::benches, {.shape = RowShape::benches}),
           option("objective", "",
                  "of several benches: the earliest end of the last test (makespan) or the least "
-                 "cost together; of a model on one bench: the least cost or the fewest tests",
+                 "cost together; of a model, on one bench or several: the least cost or the fewest "
+                 "tests",
                  &R::objective,
                  {.by_default = "makespan of benches, cost of a model on one",
                   .words = {"makespan", "cost", "tests"}}),
@@ -164,11 +165,6 @@ std::vector<OptionRule> rules() {
        {"benches"},
        "{} is for several benches; choose another"},
       {Says::only_with, {"objective=tests"}, {"model"}, "{} is for a model; choose another"},
-      {Says::never_with,
-       {"objective=tests"},
-       {"benches"},
-       "{} is for one bench; with {benches}, {objective=cost} with {test_cost=1} and "
-       "{change_cost=0} makes the fewest tests"},
       {Says::needs,
        {"model"},
        {"test_cost", "objective=tests"},

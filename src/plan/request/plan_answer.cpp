@@ -129,6 +129,15 @@ PlanOptions plan_options(const CheckedJobRequest& asked) {
   return options;
 }
 
+BenchObjective bench_objective(const JobRequest& request) {
+  for (const BenchObjective each : {BenchObjective::cost, BenchObjective::tests}) {
+    if (request.objective == to_string(each)) {
+      return each;
+    }
+  }
+  return BenchObjective::makespan;
+}
+
 namespace {
 
 // A time that was asked for is used up; another limit changes the answer, which then says so.
@@ -145,7 +154,7 @@ void search(const CheckedJobRequest& asked, RunControl& control,
   answer.options = plan_options(asked);
   PlanOptions options = answer.options;
   options.on_better = std::move(on_better);
-  answer.objective = request.objective == "cost" ? BenchObjective::cost : BenchObjective::makespan;
+  answer.objective = bench_objective(request);
   if (!asked->benches.empty()) {
     answer.benches = make_bench_plan(
         asked->job,

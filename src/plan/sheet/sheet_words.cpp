@@ -59,17 +59,20 @@ std::string weight_line(const Job& job, const RunPlan& plan, const Money& money)
   return fmt::format("{}; half of it {}, nine tenths {}", met, reached(half), reached(most));
 }
 
-// How far the number of tests is above the lower bound.
-std::string tests_line(const RunPlan& plan, const std::string& all) {
-  const std::uint64_t tests = plan.sheet.steps.size();
-  if (plan.proved_fewest()) {
+}  // namespace
+
+std::string fewest_tests_line(std::uint64_t tests, std::optional<std::uint64_t> of_all,
+                              std::uint64_t bound, const std::string& all) {
+  if (of_all) {
+    return fmt::format("no plan for {} has fewer than {} (one with {} was found)", all,
+                       count_of(bound, "test"), *of_all);
+  }
+  if (tests == bound) {
     return fmt::format("no plan for {} has fewer tests: this is the lower bound", all);
   }
   return fmt::format("no plan for {} has fewer than {} (this one has at most {} more)", all,
-                     count_of(plan.bound.tests, "test"), tests - plan.bound.tests);
+                     count_of(bound, "test"), tests - bound);
 }
-
-}  // namespace
 
 std::string failed_line(const Job& job) {
   const bool one = job.met_only_in_failed == 1;
@@ -221,7 +224,9 @@ std::vector<std::string> summary(const SheetDocument& document) {
     lines.push_back(weight_line(job, plan, money));
   }
   if (plan.objective == PlanObjective::tests) {
-    lines.push_back(tests_line(plan, all));
+    lines.push_back(fewest_tests_line(
+        sheet.steps.size(), plan.complete ? std::optional(plan.complete->tests()) : std::nullopt,
+        plan.bound.tests, all));
   }
   const Amount cheapest = plan.complete ? plan.complete->cost : sheet.cost;
   const CostBound& bound = plan.bound;

@@ -56,6 +56,12 @@ class Money {
 /// "17 tests, 20 changes, cost 117", and facts on the budget and the bound, one per line.
 [[nodiscard]] std::vector<std::string> summary(const SheetDocument& document);
 
+/// How far the number of tests is above its lower bound. `of_all`: the tests of the plan that was
+/// found for all pairs, if the budget does not suffice for them.
+[[nodiscard]] std::string fewest_tests_line(std::uint64_t tests,
+                                            std::optional<std::uint64_t> of_all,
+                                            std::uint64_t bound, const std::string& all);
+
 /// Notes on the ranges of ratios, one per line.
 [[nodiscard]] std::vector<std::string> what_if_notes(const Job& job, const WhatIf& answer);
 

@@ -75,6 +75,9 @@ class BenchBounder {
         bound_costs_shared();  // the bound so far is valid, too
       }
     }
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      bounds_.cost.tests += field_->whole(w).first.size();
+    }
     if (spent_.millionths > 0) {
       bounds_.cost.cost += spent_;
       bounds_.cost.reason = fmt::format("the first set-ups cost {}; after them, {}",

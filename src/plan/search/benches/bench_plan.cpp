@@ -75,12 +75,23 @@ class BenchPlanner {
     return bounds;
   }
 
+  [[nodiscard]] PlanObjective objective_of_one() const {
+    return few_tests() ? PlanObjective::tests : PlanObjective::cost;
+  }
+
   [[nodiscard]] bool by_cost() const { return options_->objective == BenchObjective::cost; }
 
+  [[nodiscard]] bool few_tests() const { return options_->objective == BenchObjective::tests; }
+
+  // Smaller is better.
+  using Rank = std::tuple<std::uint64_t, Amount, Amount, std::uint64_t>;
+  [[nodiscard]] Rank rank(const BenchCandidate& c) const {
+    return {few_tests() ? c.tests : 0, by_cost() ? c.cost : c.makespan,
+            by_cost() ? c.makespan : c.cost, c.tests};
+  }
+
   [[nodiscard]] bool better(const BenchCandidate& a, const BenchCandidate& b) const {
-    return by_cost()
-               ? std::tuple(a.cost, a.makespan, a.tests) < std::tuple(b.cost, b.makespan, b.tests)
-               : std::tuple(a.makespan, a.cost, a.tests) < std::tuple(b.makespan, b.cost, b.tests);
+    return rank(a) < rank(b);
   }
 
   [[nodiscard]] const BenchCandidate& best() const {
@@ -91,7 +102,8 @@ class BenchPlanner {
 
   [[nodiscard]] bool is_best_possible() const {
     return by_cost() ? best().cost == plan_.bound.cost && field_.size() == 1
-                     : best().makespan == plan_.makespan_bound;
+                     : best().makespan == plan_.makespan_bound &&
+                           (!few_tests() || best().tests == plan_.bound.tests);
   }
 
   void add(const std::string& name, const std::string& how, const BenchLists& lists) {
@@ -180,6 +192,7 @@ class BenchPlanner {
   // The list of one bench, and pieces of it for all.
   void plan_for_one(std::size_t alone, std::vector<BenchLists>& starts) {
     PlanOptions once = options_->plan;
+    once.objective = objective_of_one();
     once.until_stopped = options_->plan.until_stopped && field_.size() == 1 && !field_.has_clock();
     once.budget.reset();
     once.on_better = nullptr;
@@ -220,9 +233,11 @@ class BenchPlanner {
     }
     CostBound bound = found;
     bound.cost += field_.spent(alone);
+    bound.tests = std::max(bound.tests + field_.whole(alone).first.size(), plan_.bound.tests);
     if (bound.cost > plan_.bound.cost) {
       plan_.bound = bound;
     }
+    plan_.bound.tests = bound.tests;
     if (field_.size() == 1 && plan_.bound.cost > plan_.makespan_bound) {
       plan_.makespan_bound = plan_.bound.cost;
       plan_.makespan_reason = plan_.bound.reason;
@@ -279,10 +294,16 @@ class BenchPlanner {
     if (complete(from_nothing, *control_)) {
       starts.push_back(from_nothing.lists());
     }
+    if (few_tests()) {
+      keep_shortest(starts);
+    }
     ListsSearch search{.aim = by_cost() ? Aim::least_cost : Aim::least_largest,
                        .steps = options_->plan.steps,
                        .attempts = attempts_between(),
                        .phase = between_benches};
+    if (few_tests()) {
+      search.most_tests = tests_in(starts.front());
+    }
     const unsigned before_rounds = field_.has_single_parts() ? 1 : 0;
     if (before_rounds > 0) {
       search_without_clock(job, starts, search);
@@ -291,7 +312,10 @@ class BenchPlanner {
     search.round = before_rounds;
     Rounds rounds(options_->plan);
     while (!is_best_possible() && !control_->stop_wanted()) {
-      const auto before = std::tuple(best().makespan, best().cost);
+      const Rank before = rank(best());
+      if (few_tests()) {
+        search.most_tests = tests_in(starts.front());
+      }
       FoundLists found = search_lists(job, starts, search, *control_);
       plan_.steps += found.steps;
       add(between_benches, "tests and parts moved between benches", found.lists);
@@ -300,11 +324,28 @@ class BenchPlanner {
         add("local search, each bench replanned",
             "then each bench replanned for what only it tests", found.lists);
       }
-      if (!rounds.go_on(std::tuple(best().makespan, best().cost) != before, {})) {
+      if (!rounds.go_on(rank(best()) != before, {})) {
         break;
       }
       search.round = before_rounds + rounds.now();
       starts.front() = without_first(field_, best().lists);
+    }
+  }
+
+  [[nodiscard]] static std::size_t tests_in(const BenchLists& lists) {
+    std::size_t tests = 0;
+    for (const std::vector<Block>& list : lists) {
+      tests += list.size();
+    }
+    return tests;
+  }
+
+  // The starts with no more tests than the best lists; a search adds none.
+  void keep_shortest(std::vector<BenchLists>& starts) const {
+    const std::size_t most = tests_in(without_first(field_, best().lists));
+    std::erase_if(starts, [&](const BenchLists& lists) { return tests_in(lists) > most; });
+    if (starts.empty()) {
+      starts.push_back(without_first(field_, best().lists));
     }
   }
 
@@ -358,7 +399,8 @@ class BenchPlanner {
         continue;
       }
       constexpr std::uint64_t short_search = 200'000;
-      PlanOptions options{.steps = options_->plan.steps == 0
+      PlanOptions options{.objective = objective_of_one(),
+                          .steps = options_->plan.steps == 0
                                        ? short_search
                                        : std::min(short_search, options_->plan.steps),
                           .attempts = 2,
@@ -388,6 +430,10 @@ std::vector<Bench> benches_of(const BenchOptions& options) {
 }
 
 void check_options(const Job& job, const BenchOptions& options) {
+  if (options.objective == BenchObjective::tests && job.model == nullptr) {
+    throw BadInput(
+        "only plans of a model can have the objective of fewest tests; choose another objective");
+  }
   if (!options.plan.rest.empty()) {
     throw BadInput("tests that were done on several benches need the bench of each; give it");
   }
@@ -397,6 +443,18 @@ void check_options(const Job& job, const BenchOptions& options) {
 }
 
 }  // namespace
+
+const char* to_string(BenchObjective objective) {
+  switch (objective) {
+    case BenchObjective::cost:
+      return "cost";
+    case BenchObjective::tests:
+      return "tests";
+    case BenchObjective::makespan:
+      break;
+  }
+  return "makespan";
+}
 
 BenchPlan make_bench_plan(const CheckedJob& job, const BenchOptions& options, RunControl& control) {
   return make_bench_plan(*job, options, control);  // a checked job does not include the benches

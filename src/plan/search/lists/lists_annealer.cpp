@@ -18,6 +18,7 @@ std::int64_t with_overlap(std::int64_t cost, const Lists& lists) {
 }  // namespace
 
 std::optional<Rank> rank_of(const Lists& lists, const ListsSearch& options) {
+  const std::uint64_t tests = options.most_tests > 0 ? lists.tests() : 0;
   switch (options.aim) {
     case Aim::most_weight:
       return lists.total() <= options.budget
@@ -25,13 +26,13 @@ std::optional<Rank> rank_of(const Lists& lists, const ListsSearch& options) {
                  : std::nullopt;
     case Aim::least_largest:
       return lists.open() == 0
-                 ? std::optional(Rank(0, with_overlap(lists.largest(), lists), lists.total()))
+                 ? std::optional(Rank(tests, with_overlap(lists.largest(), lists), lists.total()))
                  : std::nullopt;
     case Aim::least_cost:
       break;
   }
   return lists.open() == 0
-             ? std::optional(Rank(0, with_overlap(lists.total(), lists), lists.largest()))
+             ? std::optional(Rank(tests, with_overlap(lists.total(), lists), lists.largest()))
              : std::nullopt;
 }
 
@@ -41,7 +42,9 @@ ListsAnnealer::ListsAnnealer(Lists& lists, const ListsSearch& options,
       options_(&options),
       schedule_(schedule),
       random_(&random),
-      most_tests_(lists.tests() + std::min<std::size_t>(lists.open() + 16, lists.tests() + 16)),
+      most_tests_(options.most_tests > 0
+                      ? options.most_tests
+                      : lists.tests() + std::min(lists.open() + 16, lists.tests() + 16)),
       everything_(static_cast<double>(options.everything) / a_pair_weighs),
       wide_(schedule.penalty > 0),
       cooling_(schedule.hot, schedule.cold, schedule.penalty) {

@@ -31,6 +31,7 @@ struct ListsSearch {
   std::int64_t whole = 0;   ///< approximate cost of meeting everything
   std::uint64_t steps = 0;  ///< of each attempt; 0: chosen for the job
   unsigned attempts = 4;
+  std::size_t most_tests = 0;    ///< if not 0, no list gets more, and fewer tests are better
   unsigned round = 0;            ///< each round has other random numbers
   std::string phase = {};        ///< for progress reports
   std::uint64_t everything = 0;  ///< weight of all that has to meet; computed by search_lists()

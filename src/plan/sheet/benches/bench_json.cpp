@@ -75,7 +75,7 @@ std::string json_of(const BenchDocument& document) {
   JsonWriter json;
   json.begin_object().key("format").value("changeover-benches/1");
   json.key("title").value(document.title).key("benches").value(plan.sheets.size());
-  json.key("objective").value(document.objective == BenchObjective::cost ? "cost" : "makespan");
+  json.key("objective").value(to_string(document.objective));
   json.key("cost").raw(money(plan.cost)).key("makespan").raw(money(plan.makespan));
   json.key("tests").value(plan.tests).key("changes").value(plan.changes);
   json.key("why_stopped").value(to_string(plan.why_stopped));
@@ -83,7 +83,7 @@ std::string json_of(const BenchDocument& document) {
   json.key("triples_needed").value(plan.triples_needed);
   json.key("triples_tested").value(plan.triples_tested);
   json.key("lower_bound").begin_object().key("cost").raw(money(plan.bound.cost));
-  json.key("makespan").raw(money(plan.makespan_bound));
+  json.key("tests").value(plan.bound.tests).key("makespan").raw(money(plan.makespan_bound));
   json.key("cost_reason").value(plan.bound.reason);
   json.key("makespan_reason").value(plan.makespan_reason);
   if (calendar.has_days()) {
@@ -114,6 +114,7 @@ std::string json_of(const BenchDocument& document) {
   places.write_all(json);
   if (job.model != nullptr) {
     write_model(json, job);
+    json.key("proved_fewest_tests").value(plan.proved_fewest());
   }
   json.list("sheets", std::views::iota(std::size_t{0}, plan.sheets.size()), [&](std::size_t bench) {
     write_bench(json, document, bench, money, calendar, sheets, places);

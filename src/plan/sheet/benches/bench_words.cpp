@@ -114,6 +114,18 @@ std::string makespan_line(const BenchDocument& document, const BenchCalendar& ca
       plan.makespan_reason);
 }
 
+const char* best_for(BenchObjective objective) {
+  switch (objective) {
+    case BenchObjective::cost:
+      return "the least cost together";
+    case BenchObjective::tests:
+      return "the fewest tests together";
+    case BenchObjective::makespan:
+      break;
+  }
+  return "the least largest cost";
+}
+
 bool all_alike(const BenchDocument& document) {
   const std::vector<Bench>& benches = document.plan->benches;
   for (std::size_t b = 0; b < benches.size(); ++b) {
@@ -238,11 +250,8 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
     lines.push_back(failed_line(job));
   }
   if (!plan.complete) {
-    lines.push_back(fmt::format("best for {}: {}",
-                                document.objective == BenchObjective::cost
-                                    ? "the least cost together"
-                                    : "the least largest cost",
-                                plan.candidates.front().name));
+    lines.push_back(
+        fmt::format("best for {}: {}", best_for(document.objective), plan.candidates.front().name));
   } else {
     lines.push_back(fmt::format("best within the budget: {}", plan.candidates.front().name));
     lines.push_back(budget_line(job, money, document.budget, plan.complete->cost));
@@ -250,6 +259,11 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
   if (!job.weights.empty()) {
     lines.push_back(weight_words(plan.weight_tested, plan.weight_needed,
                                  plan.most_weight.value_or(plan.weight_needed)));
+  }
+  if (document.objective == BenchObjective::tests) {
+    lines.push_back(fewest_tests_line(
+        plan.tests, plan.complete ? std::optional(plan.complete->tests) : std::nullopt,
+        plan.bound.tests, "all " + what_meets(job)));
   }
   if (plan.bound.cost.millionths > 0) {
     lines.push_back(makespan_line(document, calendar, money));

@@ -1,6 +1,7 @@
 // Plans of models for several benches: against looking at all plans of tiny ones, and against the
 // definition for others.
 #include <gtest/gtest.h>
+#include <array>
 
 #include <algorithm>
 #include <limits>
@@ -72,17 +73,24 @@ Job job_for(const std::string& text, const std::vector<Bench>& benches, Random& 
 struct Least {
   std::uint64_t cost = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t makespan = std::numeric_limits<std::uint64_t>::max();
+  std::pair<std::size_t, std::uint64_t> tests{std::numeric_limits<std::size_t>::max(), 0};
 };
 
-// The least cost and the least makespan of two benches: all that can be tested, and the last tests
-// of both, with what each bench has cost. A test that shows nothing new can be left out.
+// The least cost, the least makespan, and the fewest tests with the least makespan that these can
+// have, of two benches: all that can be tested, the last tests of both and the number of tests,
+// with what each bench has cost. A test that shows nothing new can be left out.
 Least by_looking(const Job& job, const std::vector<Bench>& benches, const Pairs& pairs) {
   const Model& model = *job.model;
   using Costs = std::set<std::pair<std::uint64_t, std::uint64_t>>;
   const auto last = static_cast<std::size_t>(-1);
-  std::vector<std::map<std::pair<std::size_t, std::size_t>, Costs>> states(std::size_t{1}
-                                                                           << pairs.size());
-  states[0][{last, last}].insert({0, 0});
+  struct State {
+    std::size_t one;
+    std::size_t other;
+    std::size_t tests;
+    auto operator<=>(const State&) const = default;
+  };
+  std::vector<std::map<State, Costs>> states(std::size_t{1} << pairs.size());
+  states[0][{last, last, 0}].insert({0, 0});
   const std::vector<Block> rows[2] = {rows_of(model, benches[0]), rows_of(model, benches[1])};
   const auto shown = [&](const Block& row) {
     std::size_t mask = 0;
@@ -115,11 +123,12 @@ Least by_looking(const Job& job, const std::vector<Bench>& benches, const Pairs&
         for (const auto& [one, other] : kept) {
           least.cost = std::min(least.cost, one + other);
           least.makespan = std::min(least.makespan, std::max(one, other));
+          least.tests = std::min(least.tests, std::pair(ends.tests, std::max(one, other)));
         }
         continue;
       }
       for (std::size_t b = 0; b < 2; ++b) {
-        const std::size_t at = b == 0 ? ends.first : ends.second;
+        const std::size_t at = b == 0 ? ends.one : ends.other;
         const Block before = at == last ? benches[b].start.value_or(Block()) : rows[b][at];
         for (std::size_t r = 0; r < rows[b].size(); ++r) {
           const std::size_t next = mask | shown(rows[b][r]);
@@ -127,7 +136,8 @@ Least by_looking(const Job& job, const std::vector<Bench>& benches, const Pairs&
             continue;
           }
           const std::uint64_t cost = step(b, before, rows[b][r]);
-          Costs& there = states[next][{b == 0 ? r : ends.first, b == 1 ? r : ends.second}];
+          Costs& there =
+              states[next][{b == 0 ? r : ends.one, b == 1 ? r : ends.other, ends.tests + 1}];
           for (const auto& [one, other] : kept) {
             there.insert({one + (b == 0 ? cost : 0), other + (b == 1 ? cost : 0)});
           }
@@ -206,6 +216,8 @@ TEST(ModelBenches, TinyOnesAreSolvedAndBoundedFromBelow) {
   std::size_t looked_at = 0;
   std::size_t cheapest = 0;
   std::size_t shortest = 0;
+  std::size_t fewest = 0;
+  std::size_t best = 0;
   for (std::uint64_t seed = 1; looked_at < 40; ++seed) {
     const std::string text = random_model_text(seed, 3, 3);
     const Model model = model_of(text);
@@ -224,14 +236,24 @@ TEST(ModelBenches, TinyOnesAreSolvedAndBoundedFromBelow) {
     SCOPED_TRACE(text);
     ++looked_at;
     const Least least = by_looking(job, benches, pairs);
-    for (const BenchObjective objective : {BenchObjective::cost, BenchObjective::makespan}) {
+    for (const BenchObjective objective :
+         {BenchObjective::cost, BenchObjective::makespan, BenchObjective::tests}) {
       const BenchPlan plan = planned(job, benches, objective);
       expect_is_a_plan(job, plan, pairs);
       EXPECT_LE(plan.bound.cost.millionths, least.cost) << plan.bound.reason;
       EXPECT_LE(plan.makespan_bound.millionths, least.makespan) << plan.makespan_reason;
       EXPECT_GE(plan.cost.millionths, least.cost);
       EXPECT_GE(plan.makespan.millionths, least.makespan);
-      if (objective == BenchObjective::cost) {
+      EXPECT_LE(plan.bound.tests, least.tests.first);
+      EXPECT_GE(plan.tests, least.tests.first);
+      if (objective == BenchObjective::tests) {
+        EXPECT_EQ(plan.proved_fewest(), plan.tests == plan.bound.tests);
+        fewest += plan.tests == least.tests.first ? 1U : 0U;
+        best += std::pair<std::size_t, std::uint64_t>(plan.tests, plan.makespan.millionths) ==
+                        least.tests
+                    ? 1U
+                    : 0U;
+      } else if (objective == BenchObjective::cost) {
         cheapest += plan.cost.millionths == least.cost ? 1U : 0U;
       } else {
         shortest += plan.makespan.millionths == least.makespan ? 1U : 0U;
@@ -240,6 +262,8 @@ TEST(ModelBenches, TinyOnesAreSolvedAndBoundedFromBelow) {
   }
   EXPECT_EQ(cheapest, looked_at);
   EXPECT_EQ(shortest, looked_at);
+  EXPECT_EQ(fewest, looked_at);
+  EXPECT_EQ(best, looked_at);
 }
 
 TEST(ModelBenches, AnyModelIsCoveredOnBenchesThatLackValues) {
@@ -253,11 +277,10 @@ TEST(ModelBenches, AnyModelIsCoveredOnBenchesThatLackValues) {
     const Pairs pairs = possible_pairs(model, benches);
     const Job job = job_for(text, benches, random);
     ASSERT_EQ(job.needed.size(), pairs.size());
-    expect_is_a_plan(
-        job,
-        planned(job, benches, seed % 2 == 0 ? BenchObjective::cost : BenchObjective::makespan,
-                3'000),
-        pairs);
+    constexpr std::array objectives{BenchObjective::makespan, BenchObjective::cost,
+                                    BenchObjective::tests};
+    expect_is_a_plan(job, planned(job, benches, objectives[seed % objectives.size()], 3'000),
+                     pairs);
   }
 }
 
@@ -277,6 +300,50 @@ TEST(ModelBenches, ScarceValuesAndHoursAreKept) {
     expect_is_a_plan(job, planned(job, benches, BenchObjective::makespan, 2'000),
                      possible_pairs(model, benches));
   }
+}
+
+TEST(ModelBenches, TheFewestTestsAreNoMoreThanOnOneBench) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const std::string text = random_model_text(4000 + seed, 5, 4);
+    SCOPED_TRACE(text);
+    Random random(seed, 7);
+    const std::vector<Bench> benches(1 + seed % 4);
+    const Pairs pairs = possible_pairs(model_of(text), benches);
+    const Job job = job_for(text, benches, random);
+    const BenchPlan plan = planned(job, benches, BenchObjective::tests, 3'000);
+    expect_is_a_plan(job, plan, pairs);
+    RunControl control({.threads = 1});
+    const RunPlan one = make_run_plan(
+        job, {.objective = PlanObjective::tests, .steps = 3'000, .attempts = 2}, control);
+    EXPECT_LE(plan.tests, one.sheet.steps.size());
+    EXPECT_GE(plan.bound.tests, one.bound.tests);
+    EXPECT_LE(plan.makespan, plan.candidates.front().cost);
+    for (const BenchCandidate& each : plan.candidates) {
+      EXPECT_LE(std::pair(plan.tests, plan.makespan), std::pair(each.tests, each.makespan));
+    }
+  }
+}
+
+TEST(ModelBenches, FirstTestsCountAmongTheFewest) {
+  const std::string text = "A: a, b\nB: x, y\nC: p, q\n";
+  std::vector<Bench> benches(2);
+  Random random(1, 8);
+  const Job job = job_for(text, benches, random);
+  benches[1].first = std::vector<Block>{{0, 2, 4}, {0, 2, 5}};
+  const BenchPlan plan = planned(job, benches, BenchObjective::tests);
+  expect_is_a_plan(job, plan, possible_pairs(model_of(text), benches));
+  EXPECT_EQ(plan.tests, 5);  // two given, and each of four pairs of A and C takes a test
+  EXPECT_LE(plan.bound.tests, plan.tests);
+  EXPECT_GT(plan.bound.tests, 2);
+}
+
+TEST(ModelBenches, OnlyModelsCanHaveFewestTests) {
+  Job job = job_of(model_of("A: a, b\nB: x, y\n"), Amount{1}, Amount{1});
+  job.model = nullptr;
+  RunControl control({.threads = 1});
+  EXPECT_THROW(
+      (void)make_bench_plan(job, {.benches = 2, .objective = BenchObjective::tests}, control),
+      BadInput);
 }
 
 // Costs by what is replaced, and triples: counted by the library's own check, which knows both.

@@ -42,9 +42,11 @@ export function benchFields(
     [
       ['', 'done as early as possible'],
       ['cost', 'least cost together'],
+      ['tests', 'fewest tests together'],
     ],
     touched,
   );
+  const fewestTests = objective.options[2]!;
   const rows = benchTable(touched, {
     ...usual,
     hours: () => hours.value.trim() || 'no end',
@@ -111,16 +113,20 @@ export function benchFields(
       dayBegins: dayBegins.value,
       weekends: weekends.checked,
     }),
-    aim: () => objective.value as Job['objective'],
+    aim: () =>
+      (fewestTests.hidden && fewestTests.selected ? '' : objective.value) as Job['objective'],
     set(job) {
       [hours.value, firstDay.value, dayBegins.value] = [job.hours, job.firstDay, job.dayBegins];
       weekends.checked = job.weekends;
-      objective.value = job.objective === 'cost' ? 'cost' : '';
+      objective.value = job.objective;
       rows.set(job.benches);
     },
     reword(source) {
       benchParts.hidden = source !== 'parts';
       benchValues.hidden = source !== 'model';
+      // Only of a model the number of tests alone can be made small.
+      fewestTests.hidden = source !== 'model';
+      fewestTests.disabled = fewestTests.hidden;
       rows.element.classList.toggle('of-model', source === 'model');
     },
     refresh: rows.refresh,

@@ -139,7 +139,9 @@ export function requestOf(job: Job): Request {
     request.benches = benches;
     Object.assign(
       request,
-      job.objective === 'cost' ? { objective: 'cost' } : {},
+      job.objective === 'cost' || (model && job.objective === 'tests')
+        ? { objective: job.objective }
+        : {},
       job.hours.trim() === '' ? {} : { hours: job.hours.trim() },
       job.firstDay === '' ? {} : { first_day: job.firstDay },
       job.weekends && job.firstDay !== '' ? { weekends: true } : {},

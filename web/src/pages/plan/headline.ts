@@ -27,6 +27,17 @@ export function gapInWords(cost: number, bound: number, money: Money): string {
 const isEarly = (job: Job, { benches }: Outcome): boolean =>
   benches !== null && job.objective !== 'cost';
 
+/** How far the number of tests is above the lower bound. */
+function testsGap({ fewestTests, tests, doneBefore, met }: Outcome): string {
+  if (fewestTests === undefined || met.tested < met.needed) {
+    return '';
+  }
+  const all = `No plan for all ${met.what} has fewer`;
+  return tests.length - doneBefore === fewestTests
+    ? `${all} tests. `
+    : `${all} than ${count(fewestTests, 'test')}. `;
+}
+
 function gap(job: Job, outcome: Outcome, money: Money): string {
   const { budget, cost, bound, met, soonest, unit } = outcome;
   if (budget !== null && met.tested < met.needed) {
@@ -202,7 +213,7 @@ export function headline(job: Job, outcome: Outcome, leads: Leads): HTMLElement 
       doneBefore > 0 ? `${count(doneBefore, 'test')} done; for the rest: ` : `${what}: `,
       h('strong', {}, comesTo(job, outcome, money)),
       clock && !outcome.benches ? `, ${clock(outcome.cost)} on the clock` : null,
-      `. ${gap(job, outcome, money)}`,
+      `. ${testsGap(outcome)}${gap(job, outcome, money)}`,
     ),
     needsSeveral(job, outcome, leads.oneOfEach),
     ...again(job, outcome, leads.trust),

@@ -52,6 +52,8 @@ export interface Outcome {
    */
   cost: number;
   bound: number;
+  /** The fewest tests that a plan can have, if the plan is to have few. */
+  fewestTests?: number;
   /** When all can be done at the soonest, of benches with hours. */
   soonest?: string | null;
   /** Of all benches together. */
@@ -259,6 +261,7 @@ function ofPlan(plan: Plan, job: Job, done: readonly Test[], places: readonly Pl
     tests: [...done.map((test) => placed(test, places, plan.places)), ...tests],
     cost,
     bound: plan.lower_bound.cost,
+    ...(plan.objective === 'tests' ? { fewestTests: plan.lower_bound.tests } : {}),
     together: cost,
     reason: plan.lower_bound.reason,
     changes,
@@ -297,7 +300,7 @@ function ofBenches(
   places: readonly Place[],
 ): Outcome {
   const triples = plan.triples_needed > 0;
-  const early = plan.objective === 'makespan';
+  const early = plan.objective !== 'cost';
   const tests = plan.sheets.flatMap((sheet) => [
     ...done
       .filter(({ bench }) => bench === sheet.name)
@@ -337,6 +340,7 @@ function ofBenches(
     tests,
     cost,
     bound: early ? plan.lower_bound.makespan : plan.lower_bound.cost,
+    ...(plan.objective === 'tests' ? { fewestTests: plan.lower_bound.tests } : {}),
     together: plan.cost,
     reason: early ? plan.lower_bound.makespan_reason : plan.lower_bound.cost_reason,
     changes: plan.changes,
