@@ -51,6 +51,10 @@ std::optional<IntervalBaseBlocks> Construction::interval_base_blocks(const Recip
   return std::nullopt;
 }
 
+std::unique_ptr<FanSource> Construction::fans(const Recipe&, const Registry&) const {
+  return nullptr;
+}
+
 std::string Construction::explain(const Recipe&) const { return std::string(summary()); }
 
 std::vector<std::string> Construction::labels(const Recipe&, const Registry&) const { return {}; }
@@ -127,6 +131,13 @@ std::optional<Offer> Registry::best(const Parameters& p) const {
 
 std::unique_ptr<BlockSource> Registry::build(const Recipe& recipe) const {
   return construction_of(recipe).build(recipe, *this);
+}
+
+std::unique_ptr<FanSource> Registry::fans(const Recipe& recipe) const {
+  if (auto fans = construction_of(recipe).fans(recipe, *this)) {
+    return fans;
+  }
+  return fans_of(build(recipe));
 }
 
 Design Registry::build_design(const Recipe& recipe) const {

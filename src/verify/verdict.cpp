@@ -13,6 +13,7 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "verify/element_bits.hpp"
+#include "verify/own_count.hpp"
 #include "verify/subset_set.hpp"
 
 namespace changeover {
@@ -86,15 +87,7 @@ class Verification {
     if (options_.unchanged) {
       verdict_.unchanged_subsets = unchanged_.distinct();
     }
-    const std::uint64_t all = verdict_.subsets;
-    const std::uint64_t most = newly_covered_at_most(p_);
-    if (p_.v == p_.k) {
-      verdict_.counting_bound = 1;
-    } else if (p_.kind == Kind::circular) {
-      verdict_.counting_bound = ceil_div(all, most);
-    } else {
-      verdict_.counting_bound = ceil_div(all - binomial(p_.k, p_.strength), most) + 1;
-    }
+    verdict_.counting_bound = economical_blocks(p_);
     return std::move(verdict_);
   }
 

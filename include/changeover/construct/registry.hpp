@@ -24,6 +24,7 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
+#include "changeover/core/fans.hpp"
 
 namespace changeover {
 
@@ -97,6 +98,11 @@ class Construction {
   [[nodiscard]] virtual std::optional<IntervalBaseBlocks> interval_base_blocks(
       const Recipe& recipe) const;
 
+  /// The recipe's design as a stream of fans, if it has far fewer of them than blocks; nullptr
+  /// otherwise: they then certify it (verify/fans.hpp). @throws as build().
+  [[nodiscard]] virtual std::unique_ptr<FanSource> fans(const Recipe& recipe,
+                                                        const Registry& registry) const;
+
   /// How this recipe makes its blocks, in one or two sentences with its numbers filled in, without
   /// its inputs: "Develop the base block {0,1,2,5} over Z_11."
   [[nodiscard]] virtual std::string explain(const Recipe& recipe) const;
@@ -148,6 +154,10 @@ class Registry {
   /// The blocks of a recipe. @throws BadInput if a construction is unknown or its arguments, inputs
   /// or parameters do not fit.
   [[nodiscard]] std::unique_ptr<BlockSource> build(const Recipe& recipe) const;
+
+  /// The design of a recipe as fans; each block is one if its construction has no others. @throws
+  /// as build().
+  [[nodiscard]] std::unique_ptr<FanSource> fans(const Recipe& recipe) const;
 
   /// The blocks of a recipe in memory, with labels and recipe. @throws as build() and read_all().
   [[nodiscard]] Design build_design(const Recipe& recipe) const;

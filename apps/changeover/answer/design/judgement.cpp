@@ -5,6 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/verify/difference.hpp"
+#include "changeover/verify/fans.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/parameters.hpp"
@@ -31,17 +32,36 @@ Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved) {
   return judgement;
 }
 
-// The certificate of a development, if the recipe has one.
-static std::optional<DifferenceVerdict> certificate(const Recipe& recipe) {
-  const Construction& construction = Registry::standard().construction_of(recipe);
+// What a design is, as found without reading every block.
+struct Certificate {
+  bool valid = false;
+  bool tight = false;
+  bool economical = false;
+  std::uint64_t b = 0;
+  const char* by = "";
+};
+
+static Certificate by_differences(const DifferenceVerdict& found) {
+  return {found.valid(), found.tight, found.tight, found.b, "differences of the base blocks"};
+}
+
+// The certificate of a development, or of fans, if the recipe has one.
+static std::optional<Certificate> certificate(const Recipe& recipe) {
+  const Registry& registry = Registry::standard();
+  const Construction& construction = registry.construction_of(recipe);
   if (const auto base = construction.interval_base_blocks(recipe)) {
-    return verify_differences(*base);
+    return by_differences(verify_differences(*base));
   }
   if (const auto base = construction.base_blocks(recipe)) {
-    return verify_differences(*base);
+    return by_differences(verify_differences(*base));
   }
   if (const auto base = construction.orbit_base_blocks(recipe)) {
-    return verify_differences(base->base, base->automorphism);
+    return by_differences(verify_differences(base->base, base->automorphism));
+  }
+  if (const auto fans = construction.fans(recipe, registry)) {
+    const FanVerdict found = verify_fans(*fans);
+    return Certificate{found.valid(), found.tight(), found.economical(), found.b,
+                       "intervals of elements beside unchanged subsets"};
   }
   return std::nullopt;
 }
@@ -64,20 +84,20 @@ static void hold_to_promise(const Judgement& judgement, const Offer& promise) {
 
 std::optional<Judgement> judge_at_once(const BlockSource& source, const Offer& promise) {
   const Parameters& p = source.parameters();
-  const auto differences =
-      is_long(p, promise.b) ? certificate(promise.recipe) : std::optional<DifferenceVerdict>();
-  if (!differences) {
+  const auto found =
+      is_long(p, promise.b) ? certificate(promise.recipe) : std::optional<Certificate>();
+  if (!found) {
     return std::nullopt;
   }
   Judgement judgement;
   judgement.bound = lower_bound(p);
-  judgement.verdict = {.valid = differences->valid(),
-                       .tight = differences->tight,
-                       .economical = differences->tight,
-                       .b = differences->b,
+  judgement.verdict = {.valid = found->valid,
+                       .tight = found->tight,
+                       .economical = found->economical,
+                       .b = found->b,
                        .lower_bound = judgement.bound.blocks,
-                       .minimum_proved = differences->b == judgement.bound.blocks};
-  judgement.certificate = "differences of the base blocks";
+                       .minimum_proved = found->valid && found->b == judgement.bound.blocks};
+  judgement.certificate = found->by;
   hold_to_promise(judgement, promise);
   return judgement;
 }
@@ -89,8 +109,8 @@ bool takes_long_to_judge(const BlockSource& source, const Offer& promise) {
 std::string not_verified_here(const Parameters& p, std::string_view options) {
   if (p.v > max_elements_in_memory) {
     return fmt::format(
-        "not verified here: of designs with more than {} elements only those that are developed "
-        "from base blocks, and not too many of them, can be verified",
+        "not verified here: of designs with more than {} elements only those can be verified that "
+        "are developed from not too many base blocks, or made by concatenation",
         max_elements_in_memory);
   }
   return fmt::format(

@@ -39,11 +39,14 @@ class Concatenate final : public Described<Entry, description> {
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
+    return blocks_of(fans(recipe, registry));
+  }
+
+  std::unique_ptr<FanSource> fans(const Recipe& recipe, const Registry& registry) const override {
     const std::uint64_t times = required_times(recipe);
     const std::unique_ptr<BlockSource> second = registry.build(recipe.inputs[1]);
     Piece piece = open_piece(read_within_memory(*second).blocks(), recipe.blocks.front());
-    return with_pieces(registry.build(recipe.inputs[0]), std::move(piece), times,
-                       recipe.parameters);
+    return with_pieces(registry.fans(recipe.inputs[0]), std::move(piece), times, recipe.parameters);
   }
 
   std::string explain(const Recipe& recipe) const override {

@@ -63,8 +63,12 @@ class Ring final : public Described<Entry, description> {
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
+    return blocks_of(fans(recipe, registry));
+  }
+
+  std::unique_ptr<FanSource> fans(const Recipe& recipe, const Registry& registry) const override {
     Piece piece = path_of(recipe);
-    return with_pieces(registry.build(recipe.inputs.front()), std::move(piece), 1,
+    return with_pieces(registry.fans(recipe.inputs.front()), std::move(piece), 1,
                        recipe.parameters);
   }
 

@@ -93,10 +93,14 @@ class RingOfCopies final : public Described<Entry, description> {
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
+    return blocks_of(fans(recipe, registry));
+  }
+
+  std::unique_ptr<FanSource> fans(const Recipe& recipe, const Registry& registry) const override {
     Read read = read_recipe(recipe, registry);
     const Parameters list = recipe.parameters.as(Kind::linear).on(read.list_v);
-    std::unique_ptr<BlockSource> chain =
-        std::make_unique<BlockListSource>(list, std::move(read.list));
+    std::unique_ptr<FanSource> chain =
+        fans_of(std::make_unique<BlockListSource>(list, std::move(read.list)));
     if (read.times > 1) {
       chain = with_pieces(std::move(chain), opened(read.copy), read.times - 1,
                           list.on(recipe.parameters.v - read.closes), Ends::open);

@@ -92,10 +92,10 @@ void reverse(Piece& piece) {
   }
 }
 
-// Blocks of a design, and then those of pieces.
-class PieceSource final : public BlockByBlock<PieceSource> {
+// Fans of a design, and then those of pieces.
+class PieceSource final : public FanSource {
  public:
-  PieceSource(std::unique_ptr<BlockSource> design, Piece piece, std::uint64_t times,
+  PieceSource(std::unique_ptr<FanSource> design, Piece piece, std::uint64_t times,
               const Parameters& larger, Ends ends)
       : parameters_(larger),
         design_(std::move(design)),
@@ -114,12 +114,40 @@ class PieceSource final : public BlockByBlock<PieceSource> {
              : std::nullopt;
   }
 
-  bool make(std::span<Element> block) {
-    if (!make_now()) {
-      return false;
+  std::optional<Fan> next() override {
+    if (ended_ && round_ == times_) {
+      return std::nullopt;
     }
-    std::ranges::copy(now_, block.begin());
-    return true;
+    if (!ended_) {
+      if (const std::optional<Fan> fan = design_->next()) {
+        std::ranges::copy(fan->kept, now_.begin());
+        now_.back() = fan->last;
+        if (!std::exchange(started_, true)) {
+          begins_with_ = now_;
+          begins_with_.back() = fan->first;
+        }
+        return fan;
+      }
+      ended_ = true;
+      v_ = design_->parameters().v;
+      begin_piece();
+    }
+    while (beside_ < piece_.parts.size() && piece_.parts[beside_].position == given_) {
+      if (const std::optional<Fan> fan = insert()) {
+        return fan;
+      }
+      next_ = 0;
+      ++beside_;
+    }
+    if (given_ == piece_.blocks.size()) {
+      v_ += piece_.fresh.size();
+      if (++round_ == times_) {
+        return std::nullopt;
+      }
+      begin_piece();
+    }
+    name_block(piece_.blocks[given_++]);
+    return fan_to(now_.back());
   }
 
   bool rewind() override {
@@ -129,46 +157,34 @@ class PieceSource final : public BlockByBlock<PieceSource> {
   }
 
  private:
-  bool make_now() {
-    if (ended_ && round_ == times_) {
-      return false;
+  // The next elements that are no anchors, beside a part; nullopt if all have been inserted.
+  std::optional<Fan> insert() {
+    if (next_ == 0 && leaves_ends_out()) {
+      next_ = piece_.first.size();
     }
-    if (!ended_) {
-      if (design_->next(now_)) {
-        if (!std::exchange(started_, true)) {
-          begins_with_ = now_;
-        }
-        return true;
-      }
-      ended_ = true;
-      v_ = design_->parameters().v;
-      begin_piece();
-    } else if (beside_ < piece_.parts.size() && piece_.parts[beside_].position == given_) {
-      if (next_ == 0 && leaves_ends_out()) {
-        next_ = piece_.first.size();
-      }
-      while (next_ < v_ && std::ranges::binary_search(anchors_, static_cast<Element>(next_))) {
-        ++next_;
-      }
-      if (next_ < v_) {
-        const Block& part = piece_.parts[beside_].elements;
-        std::ranges::transform(part, now_.begin(), [this](Element x) { return name_[x]; });
-        now_.back() = static_cast<Element>(next_++);
-        return true;
-      }
-      next_ = 0;
-      ++beside_;
+    auto anchor = std::ranges::lower_bound(anchors_, next_);
+    for (; anchor != anchors_.end() && *anchor == next_; ++anchor) {
+      ++next_;
     }
-    if (given_ == piece_.blocks.size()) {
-      v_ += piece_.fresh.size();
-      if (++round_ == times_) {
-        return false;
-      }
-      begin_piece();
+    if (next_ >= v_) {
+      return std::nullopt;
     }
-    std::ranges::transform(piece_.blocks[given_++], now_.begin(),
-                           [this](Element x) { return name_[x]; });
-    return true;
+    const auto first = static_cast<Element>(next_);
+    next_ = anchor == anchors_.end() ? v_ : *anchor;
+    name_block(piece_.parts[beside_].elements);
+    now_.back() = static_cast<Element>(next_ - 1);
+    return fan_to(first);
+  }
+
+  // The fan from this element to the last one of the block `now_`.
+  [[nodiscard]] Fan fan_to(Element first) const {
+    const std::span<const Element> all(now_);
+    return {all.first(all.size() - 1), first, all.back()};
+  }
+
+  // Elements of the piece, as they are called in the design.
+  void name_block(const Block& elements) {
+    std::ranges::transform(elements, now_.begin(), [this](Element x) { return name_[x]; });
   }
 
   // Whether the elements of the first block are not inserted beside this part.
@@ -223,12 +239,12 @@ class PieceSource final : public BlockByBlock<PieceSource> {
   }
 
   Parameters parameters_;
-  std::unique_ptr<BlockSource> design_;
+  std::unique_ptr<FanSource> design_;
   Piece piece_;
   std::uint64_t times_;
   bool open_;                // the design's ends
   Block begins_with_;        // the design's first block
-  Block now_;                // the block made last
+  Block now_;                // the last block of the fan before
   Block name_;               // by element of the piece: which element it is
   Block anchors_;            // those elements, sorted
   bool started_ = false;     // the design
@@ -353,8 +369,8 @@ std::uint64_t count_with_pieces(std::uint64_t v, std::uint64_t b, const Piece& p
   return leaves_ends_out ? all - piece.first.size() : all;
 }
 
-std::unique_ptr<BlockSource> with_pieces(std::unique_ptr<BlockSource> design, Piece piece,
-                                         std::uint64_t times, const Parameters& larger, Ends ends) {
+std::unique_ptr<FanSource> with_pieces(std::unique_ptr<FanSource> design, Piece piece,
+                                       std::uint64_t times, const Parameters& larger, Ends ends) {
   return std::make_unique<PieceSource>(std::move(design), std::move(piece), times, larger, ends);
 }
 

@@ -25,6 +25,7 @@
 
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/block.hpp"
+#include "changeover/core/fans.hpp"
 
 namespace changeover {
 
@@ -61,10 +62,9 @@ enum class Ends : std::uint8_t { paired, open };
 /// The design with so many pieces after it, as a stream. `larger` has v + |fresh|·times elements.
 /// Memory of a piece and a block. Reading
 /// @throws BadInput if a ring's design has no disjoint anchors at its ends.
-[[nodiscard]] std::unique_ptr<BlockSource> with_pieces(std::unique_ptr<BlockSource> design,
-                                                       Piece piece, std::uint64_t times,
-                                                       const Parameters& larger,
-                                                       Ends ends = Ends::paired);
+[[nodiscard]] std::unique_ptr<FanSource> with_pieces(std::unique_ptr<FanSource> design, Piece piece,
+                                                     std::uint64_t times, const Parameters& larger,
+                                                     Ends ends = Ends::paired);
 
 /// A piece that is written down: blocks as in short_blocks.hpp, positions of its parts.
 struct WrittenPiece {

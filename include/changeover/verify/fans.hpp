@@ -1,0 +1,55 @@
+// Designs verified by their fans (core/fans.hpp), without reading every block.
+//
+// A list of fans is an m-change covering design if and only if
+//   - each step within a fan, from fan to fan and, of a circular design, from the last block to the
+//     first changes m elements;
+//   - every pair is in some block. The pairs of a fan's blocks are those of its kept elements, and
+//     of each of these with the whole interval.
+// So it is enough to look at the first block of each fan, and to keep for each element the interval
+// 0, …, l−1 of smaller elements that it has met; what it meets beyond that waits in a list until
+// the interval reaches it.
+//
+//     const FanVerdict verdict = verify_fans(*Registry::standard().fans(recipe));
+//     verdict.valid();                       // a linear SCCD(1000000,5) of 124,999,874,999 blocks
+//
+// Complexity: O(k²) time for each fan, where elements meet smaller ones in order, and four bytes an
+// element; otherwise O(log) more of each. If elements meet larger ones in fans, O(v log v) more.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "changeover/core/fans.hpp"
+
+namespace changeover {
+
+/// The verdict on the list of blocks.
+struct FanVerdict {
+  Parameters parameters;
+  std::uint64_t counting_bound = 0;  ///< ⌈g₁⌉ or ⌈g₂⌉
+  std::uint64_t b = 0;
+  std::uint64_t fans = 0;
+  std::uint64_t bad_steps = 0;  ///< steps that do not change m elements
+  std::optional<std::uint64_t>
+      first_bad_step;           ///< 1-based, from block i to block i+1; b is the step to the first
+  std::uint64_t uncovered = 0;  ///< pairs in no block
+  std::vector<std::pair<Element, Element>> uncovered_examples;  ///< the first most_examples
+  static constexpr std::size_t most_examples = 20;
+  /// Pairs of elements that are in every block of a circular design.
+  std::uint64_t never_newly_covered = 0;
+  /// How many times, in all, pairs are newly covered after their first time.
+  std::uint64_t excess = 0;
+
+  [[nodiscard]] bool valid() const { return b > 0 && bad_steps == 0 && uncovered == 0; }
+  [[nodiscard]] bool tight() const { return valid() && excess == 0 && never_newly_covered == 0; }
+  [[nodiscard]] bool economical() const { return valid() && b == counting_bound; }
+};
+
+/// Reads the fans to their end. Strength 2 only. @throws BadInput if the parameters have another
+/// strength, or a fan has other than k distinct elements below v in each block;
+/// ImpossibleParameters as check(), or if the blocks exceed 64 bits.
+[[nodiscard]] FanVerdict verify_fans(FanSource& source);
+
+}  // namespace changeover
