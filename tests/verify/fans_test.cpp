@@ -8,6 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "listed_fans.hpp"
+#include "message_of.hpp"
 #include "run/random.hpp"
 
 namespace changeover::fans_test {
@@ -74,20 +75,22 @@ TEST(Fans, AnyListIsJudgedAsByReading) {
 
 TEST(Fans, WhatIsNoBlockIsRefused) {
   const Parameters p{.v = 9, .k = 3, .change = 1, .kind = Kind::linear, .strength = 2};
-  const auto refused = [](const Parameters& q, const OwnFan& fan) {
+  const auto refusal = [](const Parameters& q, const OwnFan& fan) {
     Listed list(q, {{{0, 1}, 2, 2}, fan});
-    EXPECT_THROW((void)verify_fans(list), BadInput);
+    return message_of<BadInput>([&] { (void)verify_fans(list); });
   };
-  refused(p, {{0, 1}, 4, 3});
-  refused(p, {{0, 1}, 4, 9});
-  refused(p, {{0, 9}, 4, 5});
-  refused(p, {{0, 0}, 4, 5});
-  refused(p, {{0, 5}, 4, 5});
-  refused(p, {{0}, 4, 5});
-  refused(p, {{0, 1, 2}, 4, 5});
+  const std::string shape = "fan 2: it must keep k-1 = 2 elements beside an interval";
+  EXPECT_EQ(refusal(p, {{0, 1}, 4, 3}), shape);
+  EXPECT_EQ(refusal(p, {{0}, 4, 5}), shape);
+  EXPECT_EQ(refusal(p, {{0, 1, 2}, 4, 5}), shape);
+  EXPECT_EQ(refusal(p, {{0, 1}, 4, 9}), "fan 2: element 9 is not below v = 9");
+  EXPECT_EQ(refusal(p, {{0, 9}, 4, 5}), "fan 2: element 9 is not below v = 9");
+  EXPECT_EQ(refusal(p, {{0, 0}, 4, 5}), "fan 2: it repeats the element 0");
+  EXPECT_EQ(refusal(p, {{0, 5}, 4, 5}), "fan 2: it repeats the element 5");
   Parameters triples = p;
   triples.strength = 3;
-  refused(triples, {{0, 1}, 4, 5});
+  EXPECT_EQ(refusal(triples, {{0, 1}, 4, 5}),
+            "fans are verified for strength 2, not 3; read the blocks");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ class FanSource {
 /// The blocks of these fans; each has the element that changes last.
 [[nodiscard]] std::unique_ptr<BlockSource> blocks_of(std::unique_ptr<FanSource> fans);
 
-/// Each block as a fan of its own. Memory of a block.
+/// Each block as a separate fan. Memory of a block.
 [[nodiscard]] std::unique_ptr<FanSource> fans_of(std::unique_ptr<BlockSource> blocks);
 
 }  // namespace changeover
