@@ -188,7 +188,8 @@ struct Job {
   PairWeights weights;        ///< of needed pairs: heavy pairs meet early, or first within a budget
   std::vector<Triple>
       triples;  ///< three parts that must meet in one set-up; increasing, without repetition
-  std::vector<Block> first;  ///< set-ups that must run first, in this order; their cost counts
+  bool asks_for_triples = false;  ///< also if none of them is left to test (need_triples())
+  std::vector<Block> first;       ///< set-ups that must run first, in this order; their cost counts
   /// The cost of putting in part i where part o was taken out, at o · parts() + i; undefined if
   /// they are not of one slot. Empty: it is change_costs[i] for every o.
   std::vector<Amount> replace_costs;

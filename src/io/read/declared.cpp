@@ -299,7 +299,8 @@ std::string repeat_defect(std::uint64_t number, std::string_view word) {
 }
 
 std::string above_v_defect(std::string_view word, std::uint64_t v) {
-  return fmt::format("element {} is not below v = {}; count from 0, or correct v", shown(word), v);
+  return fmt::format("element {} is not below v = {}; count from 0, or leave v out", shown(word),
+                     v);
 }
 
 std::string unknown_label_defect(std::string_view word) {

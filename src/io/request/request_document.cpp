@@ -277,7 +277,10 @@ void write_list(JsonWriter& json, const OptionRecord& record, const RequestList&
 std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
                             const std::string& spelled) {
   if (!list.file.empty()) {
-    return record.shape == RowShape::document ? open_input(list.file) : open_list(list.file);
+    if (record.shape == RowShape::document) {
+      return open_input(list.file);
+    }
+    return open_list(list.file);
   }
   if (list.text) {
     return input_from_text(*list.text, list.name.empty() ? spelled : list.name);

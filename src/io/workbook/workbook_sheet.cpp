@@ -343,10 +343,11 @@ std::string list_file(const std::string& path) {
 }
 
 std::unique_ptr<Input> open_list(const std::string& path) {
-  const auto colon = end_of_file(path);
-  return colon ? std::make_unique<SheetInput>(open_input(path.substr(0, *colon)),
-                                              path.substr(*colon + 1))
-               : open_input(path);
+  if (const auto colon = end_of_file(path)) {
+    return std::make_unique<SheetInput>(open_input(path.substr(0, *colon)),
+                                        path.substr(*colon + 1));
+  }
+  return open_input(path);
 }
 
 }  // namespace changeover

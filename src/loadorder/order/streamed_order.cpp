@@ -16,7 +16,11 @@ namespace {
 class StreamedSteps final : public StepSource {
  public:
   explicit StreamedSteps(const StreamedShape& shape)
-      : shape_(shape), n_(shape.room - 1), v_(2 * shape.c * n_ + 1) {}
+      : shape_(shape), n_(shape.room - 1), v_(2 * shape.c * n_ + 1) {
+    if (n_ == 0) {
+      throw InternalError("a streamed order needs room for two items");
+    }
+  }
 
   bool jump(std::uint64_t step, std::vector<Element>& held) override {
     if (step == 0 || step > shape_.steps()) {

@@ -24,9 +24,9 @@ LoadBound bound_by_pairs(std::uint64_t pairs, bool between, std::uint64_t least_
   const std::uint64_t low = std::min(alone, std::max(by_items, least));
   if (low > 0 && low == least) {
     const std::uint64_t fewer = low - 1;
-    return {low, fmt::format("one of {} workers brings at least {} of {} pairs together, and with "
+    return {low, fmt::format("one of {} workers brings at least {} of {} together, and with "
                              "{} it brings at most {}",
-                             workers, needed, pairs, count_of(fewer, "load"),
+                             workers, needed, count_of(pairs, "pair"), count_of(fewer, "load"),
                              between ? most_between(fewer, room) : most_pairs(fewer, room))};
   }
   return {low, low == by_items

@@ -204,7 +204,8 @@ class ScheduleText {
                                                 : facts_.method + ": " + facts_.explanation + "\n";
     spread += how_.time_is_up ? say_that_time_is_up(json) : "";
     if (how_.item_bytes && !facts_.fast_room) {
-      spread += fmt::format("{} bytes are loaded\n", bytes_of_moves(facts_.loads, how_, "load"));
+      const std::uint64_t bytes = bytes_of_moves(facts_.loads, how_, "load");
+      spread += fmt::format("{} {} loaded\n", count_of(bytes, "byte"), bytes == 1 ? "is" : "are");
     }
     return in_short(bound, steps) + epochs_in_words(facts_) + spread + stores +
            (plain ? hint() : "") + method + bounds(bound);
@@ -344,7 +345,8 @@ class ScheduleText {
   [[nodiscard]] std::string level(std::uint64_t count, const std::string& what,
                                   const LoadBound& bound) const {
     const std::string bytes =
-        how_.item_bytes ? fmt::format(" ({} bytes)", bytes_of_moves(count, how_, what)) : "";
+        how_.item_bytes ? fmt::format(" ({})", count_of(bytes_of_moves(count, how_, what), "byte"))
+                        : "";
     return fmt::format("{}{}, {}", count_of(count, what), bytes, over(count, bound));
   }
 

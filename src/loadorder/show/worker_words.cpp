@@ -118,6 +118,14 @@ std::string WorkerWords::busiest() const {
 
 namespace {
 
+// "12.26 % over the mean 281.5".
+std::string over_the_mean(std::uint64_t most, std::uint64_t all, std::uint64_t workers) {
+  const double mean = static_cast<double>(all) / static_cast<double>(workers);
+  return fmt::format("{:.2f} % over the mean {}", 100 * (static_cast<double>(most) / mean - 1),
+                     all % workers == 0 ? std::to_string(all / workers)
+                                        : fmt::format("{:.{}f}", mean, mean < 1000 ? 1 : 0));
+}
+
 // A worker that does nothing has a number, too.
 std::vector<std::uint64_t> of_all(std::vector<std::uint64_t> counts, std::uint64_t workers) {
   counts.resize(static_cast<std::size_t>(workers), 0);
@@ -149,15 +157,9 @@ void WorkerWords::say_each(JsonWriter& json) const {
 std::string WorkerWords::text() const {
   std::string text;
   if (most_ > 0) {
-    const std::uint64_t least = ceil_div(all_, workers_);
     text = fmt::format("the worker with most pairs computes {} of {}, {}\n", most_, all_,
-                       most_ == least ? std::string("the fewest possible")
-                                      : fmt::format("{:.2f} % over the mean {}",
-                                                    100 * (static_cast<double>(most_) *
-                                                               static_cast<double>(workers_) /
-                                                               static_cast<double>(all_) -
-                                                           1),
-                                                    least));
+                       most_ == ceil_div(all_, workers_) ? "the fewest possible"
+                                                         : over_the_mean(most_, all_, workers_));
   }
   if (split_ != nullptr && split_->has_costs) {
     const double mean = split_->all_costs / static_cast<double>(workers_);

@@ -11,6 +11,7 @@
 #include "core/checked.hpp"
 #include "core/each.hpp"
 #include "core/least_number.hpp"
+#include "core/words.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
@@ -107,8 +108,8 @@ LoadBound by_units(const ItemSizes& sizes, std::uint64_t bytes, std::uint64_t wo
   }
   const LoadBound bound = makespan_lower_bound(units, room, workers);
   return {checked_multiply(unit, bound.loads),
-          fmt::format("items are {} units of {} bytes that move together, with room for {}: {}",
-                      units, unit, room, bound.reason)};
+          fmt::format("items are {} units of {} that move together, with room for {}: {}", units,
+                      count_of(unit, "byte"), room, bound.reason)};
 }
 
 // The bytes of all items that each item must meet.

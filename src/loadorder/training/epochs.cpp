@@ -11,6 +11,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/order/read_order.hpp"
 
 namespace changeover {
@@ -208,8 +209,8 @@ LoadBound epochs_lower_bound(const LoadBound& once, std::uint64_t pairs, std::ui
                 "be in memory when it begins",
                 there);
   return {checked_add(once.loads, checked_multiply(epochs - 1, later)),
-          fmt::format("{} loads in the first epoch, and {} in each other one: {}; {}", once.loads,
-                      later, why, once.reason)};
+          fmt::format("{} in the first epoch, and {} in each other one: {}; {}",
+                      count_of(once.loads, "load"), later, why, once.reason)};
 }
 
 LoadBound epochs_makespan_bound(const LoadBound& once, const LoadBound& all, std::uint64_t workers,
@@ -217,8 +218,12 @@ LoadBound epochs_makespan_bound(const LoadBound& once, const LoadBound& all, std
   const std::uint64_t mean = ceil_div(all.loads, workers);
   return mean <= once.loads
              ? once
-             : LoadBound{mean, fmt::format("all {} workers together have at least {} {}: {}",
-                                           workers, all.loads, what, all.reason)};
+             : LoadBound{
+                   mean,
+                   fmt::format("{} at least {} {}: {}",
+                               workers == 1 ? std::string("one worker has")
+                                            : fmt::format("all {} workers together have", workers),
+                               all.loads, what, all.reason)};
 }
 
 LoadBound epochs_byte_bound(const LoadBound& once, std::uint64_t memory, std::uint64_t workers,

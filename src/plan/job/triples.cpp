@@ -84,6 +84,7 @@ std::uint64_t need_triples(Job& job) {
     apart = all - triples.size();
   }
   job.triples = std::move(triples);
+  job.asks_for_triples = true;
   need_their_pairs(job);
   return apart;
 }

@@ -27,7 +27,7 @@ Candidate counted_for(const Job& job, Candidate candidate) {
 
 Candidate with_first(const Job& job, Candidate candidate) {
   if (candidate.setups.empty()) {
-    candidate.name = "the first tests";
+    candidate.name = "first tests";
     candidate.how = "no test after them";
   }
   candidate.setups.insert(candidate.setups.begin(), job.first.begin(), job.first.end());

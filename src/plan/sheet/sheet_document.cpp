@@ -52,7 +52,7 @@ std::vector<Figure> figures_of(const SheetDocument& document) {
   const RunPlan& plan = *document.plan;
   const RunSheet& sheet = plan.sheet;
   const Money money(job, document.budget);
-  const bool triples = !job.triples.empty();
+  const bool triples = is_of_triples(job);
   const std::string what = triples ? "Triples" : "Pairs";
   const std::uint64_t needed = triples ? sheet.triples_needed : sheet.pairs_needed;
   const std::uint64_t tested = triples ? sheet.triples_tested : sheet.pairs_tested;

@@ -36,6 +36,9 @@ std::uint64_t changes_in_random_order(const Job& job, const RunSheet& sheet) {
 // How much of the weight is met, or how soon.
 std::string weight_line(const Job& job, const RunPlan& plan, const Money& money) {
   const RunSheet& sheet = plan.sheet;
+  if (sheet.weight_needed.millionths == 0) {
+    return "no needed pair weighs anything";
+  }
   std::string met = weight_words(sheet.weight_tested, sheet.weight_needed, plan.most_weight);
   if (plan.most_weight) {
     return met;
@@ -77,7 +80,7 @@ std::string fewest_tests_line(std::uint64_t tests, std::optional<std::uint64_t> 
 std::string failed_line(const Job& job) {
   const bool one = job.met_only_in_failed == 1;
   return fmt::format("{} met only in tests that failed or whose result is not understood: {} {}",
-                     count_of(job.met_only_in_failed, job.triples.empty() ? "pair" : "triple"),
+                     count_of(job.met_only_in_failed, is_of_triples(job) ? "triple" : "pair"),
                      one ? "it" : "they",
                      job.trust_failed ? (one ? "counts as tested" : "count as tested")
                                       : (one ? "is needed again" : "are needed again"));
@@ -86,8 +89,8 @@ std::string failed_line(const Job& job) {
 std::string weight_words(Amount tested, Amount needed, std::optional<Amount> most) {
   return fmt::format(
       "weight of the pairs tested: {} of {}{}", to_string(tested), to_string(needed),
-      !most             ? ""
-      : *most >= needed ? "; no bound is known"
+      !most || tested == needed ? ""
+      : *most >= needed         ? "; no bound is known"
       : *most == tested
           ? "; no plan within the budget tests more"
           : fmt::format("; no plan within the budget tests more than {}", to_string(*most)));
@@ -126,10 +129,18 @@ std::uint64_t parts_listed(const Job& job) {
   return listed;
 }
 
+std::string with_unit(const Money& money, Amount amount, std::string_view unit) {
+  constexpr Amount one{1'000'000};
+  if (amount == one && unit.ends_with('s')) {
+    unit.remove_suffix(1);
+  }
+  return fmt::format("{} {}", money(amount), unit);
+}
+
 std::string cost_words(const Job& job, const Money& money, Amount cost) {
   const Clock clock(job);
-  return clock.runs() ? fmt::format("cost {} {}, {} on the clock", money(cost),
-                                    word_of(job.cost_unit), clock(cost))
+  return clock.runs() ? fmt::format("cost {}, {} on the clock",
+                                    with_unit(money, cost, word_of(job.cost_unit)), clock(cost))
                       : fmt::format("cost {}", money(cost));
 }
 
@@ -149,7 +160,7 @@ std::vector<std::string> put_in_words(const Job& job, const RunStep& step) {
   return words;
 }
 
-std::string what_meets(const Job& job) { return job.triples.empty() ? "pairs" : "triples"; }
+std::string what_meets(const Job& job) { return is_of_triples(job) ? "triples" : "pairs"; }
 
 std::string budget_line(const Job& job, const Money& money, std::optional<Amount> budget,
                         Amount cost) {
@@ -158,7 +169,7 @@ std::string budget_line(const Job& job, const Money& money, std::optional<Amount
 }
 
 std::uint64_t new_here(const Job& job, const RunStep& step) {
-  return job.triples.empty() ? step.new_pairs.size() : step.new_triples.size();
+  return is_of_triples(job) ? step.new_triples.size() : step.new_pairs.size();
 }
 
 std::string what_there_is(const Job& job) {
@@ -198,9 +209,9 @@ std::vector<std::string> summary(const SheetDocument& document) {
   if (!job.first.empty()) {
     const RunSheet first = run_sheet(job, job.first);
     lines.push_back(fmt::format(
-        "the first {} given: cost {}, {} of the needed pairs",
+        "the first {} given: cost {}, {} of the needed {}",
         job.first.size() == 1 ? "test is" : fmt::format("{} tests are", job.first.size()),
-        money(first.cost), first.pairs_tested));
+        money(first.cost), tested_by(job, first), what_meets(job)));
   }
   const std::uint64_t in_random_order = changes_in_random_order(job, sheet);
   if (in_random_order > sheet.changes) {

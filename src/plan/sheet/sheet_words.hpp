@@ -44,6 +44,9 @@ class Money {
 /// That the tests follow the rules of the model, if it has any.
 [[nodiscard]] std::optional<std::string> rules_line(const Job& job);
 
+/// "1 hour", "2.5 hours" of the unit "hours".
+[[nodiscard]] std::string with_unit(const Money& money, Amount amount, std::string_view unit);
+
 /// "cost 117", or for times "cost 95 minutes, 1:35 on the clock".
 [[nodiscard]] std::string cost_words(const Job& job, const Money& money, Amount cost);
 
@@ -75,21 +78,26 @@ class Money {
 /// The excess of a over b: "0.9 %".
 [[nodiscard]] std::string per_cent_above(Amount a, Amount b);
 
+/// Whether triples have to meet, or had to.
+[[nodiscard]] inline bool is_of_triples(const Job& job) {
+  return job.asks_for_triples || !job.triples.empty();
+}
+
 /// "pairs", or "triples" if these have to meet.
 [[nodiscard]] std::string what_meets(const Job& job);
 
 /// The number of them that a candidate or a sheet tests.
 template <typename Tests>
 [[nodiscard]] std::uint64_t tested_by(const Job& job, const Tests& what) {
-  return job.triples.empty() ? what.pairs_tested : what.triples_tested;
+  return is_of_triples(job) ? what.triples_tested : what.pairs_tested;
 }
 
 /// "5 of 6 needed pairs tested, checked by an independent count", of a sheet or of all benches.
 template <typename Count>
 [[nodiscard]] std::string tested_line(const Job& job, const Count& count, std::string_view where) {
   return fmt::format("{} of {} tested{}, checked by an independent count", tested_by(job, count),
-                     job.triples.empty() ? count_of(count.pairs_needed, "needed pair")
-                                         : count_of(count.triples_needed, "needed triple"),
+                     is_of_triples(job) ? count_of(count.triples_needed, "needed triple")
+                                        : count_of(count.pairs_needed, "needed pair"),
                      where);
 }
 

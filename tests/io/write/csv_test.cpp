@@ -100,7 +100,7 @@ TEST(CsvTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:2:5: block 2 has more than the 2 elements of the blocks before; correct one of them"},
       {"0,1\n2,2\n", "f:2:3: element '2' is twice in block 2; remove or correct one"},
       {"element_1,element_2,v\n0,1,3\n0, 7,3\n",
-       "f:3:4: element '7' is not below v = 3; count from 0, or correct v"},
+       "f:3:4: element '7' is not below v = 3; count from 0, or leave v out"},
       {"element_1,element_2,v\n0,1,3\n0,2,4\n",
        "f:3:5: v is '4' here and '3' in the rows before; make them equal"},
       {"element_1,element_2,v\n0,1,x\n",

@@ -118,7 +118,7 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
       {"{\"blocks\":[\n[0,1],\n[2, 2]\n]}",
        "f:3:5: element '2' is twice in block 2; remove or correct one"},
       {"{\"blocks\":[\n[0,1],\n[2, 7]\n],\"v\":3}",
-       "f:3:5: element '7' is not below v = 3; count from 0, or correct v"},
+       "f:3:5: element '7' is not below v = 3; count from 0, or leave v out"},
       {"{\"blocks\":[[0,-1]]}", "f:1:15: element '-1' is not a whole number; write 0 or more"},
       {"{\"blocks\":[[0,1.5]]}", "f:1:15: element '1.5' is not a whole number; write 0 or more"},
       {"{\"blocks\":[[0,1e3]]}", "f:1:15: element '1e3' is not a whole number; write 0 or more"},

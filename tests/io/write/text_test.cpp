@@ -155,9 +155,9 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:2:7: block 1 has more than k = 3 elements; correct it, or k"},
       {"0 1 2\n3 1 3\n", "f:2:5: element '3' is twice in block 2; remove or correct one"},
       {"# changeover design v=3\n0 1\n1 3\n",
-       "f:3:3: element '3' is not below v = 3; count from 0, or correct v"},
+       "f:3:3: element '3' is not below v = 3; count from 0, or leave v out"},
       {"# changeover design v=3\n0 1\n1 99999999999999999999999\n",
-       "f:3:3: element '99999999999999999999999' is not below v = 3; count from 0, or correct v"},
+       "f:3:3: element '99999999999999999999999' is not below v = 3; count from 0, or leave v out"},
       {"ab " + long_word + "\n",
        "f:1:4: a word of more than 255 bytes; elements are separated by "
        "blanks and blocks by line ends"},
@@ -243,7 +243,7 @@ TEST(TextTest, TheCallersParametersAreCheckedToo) {
   EXPECT_EQ(complaint("0 1\n", {.k = 3}),
             "f:1:4: block 1 has 2 elements, not k = 3; correct it, or k");
   EXPECT_EQ(complaint("0 1\n", {.v = 1}),
-            "f:1:3: element '1' is not below v = 1; count from 0, or correct v");
+            "f:1:3: element '1' is not below v = 1; count from 0, or leave v out");
 }
 
 TEST(TextTest, WhatOnlyTheCallerSaysWrongIsToldApart) {

@@ -132,7 +132,7 @@ TEST(First, AllPairsAtOnceNeedNoMore) {
   job.first = {{0, 1, 2}, {0, 1, 2}};
   const RunPlan plan = planned(job);
   EXPECT_EQ(plan.sheet.cost, units(5));
-  EXPECT_EQ(plan.candidates.front().name, "the first tests");
+  EXPECT_EQ(plan.candidates.front().name, "first tests");
   EXPECT_TRUE(plan.proved_cheapest());
 }
 

@@ -24,6 +24,7 @@ std::vector<Crew> crews(std::uint64_t items, std::uint64_t room, std::uint64_t w
   std::ranges::sort(busy, std::greater());
   busy.erase(std::unique(busy.begin(), busy.end()), busy.end());
   std::vector<Crew> all;
+  all.reserve(busy.size());
   for (const std::uint64_t some : busy) {
     all.push_back({some, some == 1 ? room : std::min(room, items / some)});
   }

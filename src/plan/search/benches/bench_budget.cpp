@@ -36,7 +36,7 @@ class WithinBudget {
     }
     std::vector<BenchCandidate> within;
     BenchCandidate none =
-        counted(*field_, "the first tests", "no test after them", BenchLists(field_->size()));
+        counted(*field_, "first tests", "no test after them", BenchLists(field_->size()));
     if (none.cost > budget) {
       throw BadInput(fmt::format(
           "budget of {}: the tests that come first alone cost {}; raise the budget, or leave some "

@@ -14,8 +14,8 @@ namespace {
 std::string day_words(const BenchCalendar& calendar, const Money& money, Amount end) {
   const std::uint64_t day = calendar.last_day(end);
   const std::string date = calendar.date(day);
-  return fmt::format("day {}{} after {} {}s", day, date.empty() ? "" : " (" + date + ")",
-                     money(calendar.last_hour(end)), calendar.unit());
+  return fmt::format("day {}{} after {}", day, date.empty() ? "" : " (" + date + ")",
+                     with_unit(money, calendar.last_hour(end), calendar.unit() + "s"));
 }
 
 // "H100 (1), Epyc 9124 (2)".
@@ -65,9 +65,8 @@ std::string end_line(const BenchDocument& document, const BenchCalendar& calenda
                                                      : "nothing is left to do";
   }
   if (calendar.has_days()) {
-    return fmt::format("done on {}; {} {}s of work together",
-                       day_words(calendar, money, plan.makespan), money(plan.cost),
-                       calendar.unit());
+    return fmt::format("done on {}; {} of work together", day_words(calendar, money, plan.makespan),
+                       with_unit(money, plan.cost, calendar.unit() + "s"));
   }
   return some_bench_waits(plan)
              ? fmt::format(
