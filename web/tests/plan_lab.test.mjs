@@ -18,6 +18,7 @@ import {
   planned,
   press,
   setUps,
+  sheetButton,
   sheetRows,
   withoutToken,
 } from './support/plan.mjs';
@@ -147,6 +148,36 @@ test('a search is seen while it goes on, and the best so far is kept', async (ex
   await page.locator('.live').getByText('no plan costs less than').waitFor({ timeout: 60_000 });
   await page.getByRole('button', { name: 'Cancel' }).click();
   await page.getByText('Cancelled.').waitFor();
+});
+
+test('no result is lost while another plan is made', async (explorer) => {
+  const page = await explorer.open('#/plan');
+  await page.getByRole('spinbutton', { name: 'How many parts' }).fill('30');
+  await page.getByRole('button', { name: 'numbered parts' }).click();
+  await page.getByRole('spinbutton', { name: 'How many fit at once' }).fill('5');
+  const time = page.getByRole('combobox', { name: 'Time to search' });
+  await time.selectOption('1');
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await planned(page);
+  await press(page, 1);
+  await page.waitForFunction(() => location.hash.includes('run='));
+  const other = await explorer.open(new URL(page.url()).hash);
+  await time.selectOption('600');
+  const replan = page.getByRole('button', { name: 'Replan the remaining tests' });
+  await replan.click();
+  await page.locator('.result[inert]').waitFor();
+  const second = sheetButton(page, 2, 'pass');
+  await second.scrollIntoViewIfNeeded();
+  const { x, y } = await second.boundingBox();
+  await page.mouse.click(x + 5, y + 5);
+  await page.getByText(/^1 of \d+ tests done;/).waitFor();
+  await press(other, 3, 'fail');
+  await page.getByText('stopped: a result came from another window').waitFor();
+  await page.getByText(/^2 of \d+ tests done, 1 failed;/).waitFor();
+  assert.equal(await page.locator('.result[inert]').count(), 0);
+  await time.selectOption('1');
+  await replan.click();
+  await page.getByText('2 tests done; for the rest').waitFor();
 });
 
 test('a plan is heard of without events, and with the server away', async (explorer) => {

@@ -93,6 +93,7 @@ async function render(view: View): Promise<void> {
       fill(said, note);
       // The order that is there stays, as long as it answers the same question.
       before === null ? fill(result) : result.classList.add('old');
+      result.inert = before !== null;
       waiting = setInterval(() => (bar.value += 0.5), 500);
       const answer = await post('loadorder', {}, requestOf(asked), mine.signal);
       show(answer, asked, asked.seconds > 0 ? before : null);
@@ -110,6 +111,7 @@ async function render(view: View): Promise<void> {
       view.signal.removeEventListener('abort', stop);
       if (running === mine) {
         result.classList.remove('old');
+        result.inert = false;
         go.disabled = false;
         if (waited && !misread && !view.signal.aborted) {
           leadToResult(form.element, go, result);

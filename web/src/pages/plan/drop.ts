@@ -1,3 +1,6 @@
+// Files that are given to the page.
+import { h } from '../../lib/dom';
+
 /** Files that are dropped onto `place` go to `take`, the first of each drop. */
 export function acceptFiles(place: HTMLElement, take: (file: File) => void): void {
   const over = (event: DragEvent, on: boolean) => {
@@ -18,4 +21,21 @@ export function acceptFiles(place: HTMLElement, take: (file: File) => void): voi
       take(file);
     }
   });
+}
+
+/** A field to choose such a file, unseen: a button presses it. */
+export function filePick(take: (file: File) => void): HTMLInputElement {
+  const pick = h('input', {
+    type: 'file',
+    class: 'unseen',
+    tabindex: -1,
+    accept: '.csv,.tsv,.txt,.xlsx,.pict,.model,.json,text/csv,text/plain',
+    'aria-label': 'A file with a list of parts',
+    onchange: () => {
+      const file = pick.files?.[0];
+      pick.value = ''; // The same file can be chosen again.
+      file && take(file);
+    },
+  });
+  return pick;
 }

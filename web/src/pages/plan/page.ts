@@ -1,24 +1,14 @@
 // The page Plan: a job, its sheet, and what is written down on it.
-import { ApiError, post, type Diagnosis } from '../../lib/api';
+import { ApiError, get, type Run } from '../../lib/api';
 import { announce, fill, h } from '../../lib/dom';
 import { count } from '../../lib/words';
 import { problem, type View } from '../../shell/router';
 import { sheetActions } from './actions';
 import { follow } from './ask';
 import { Diagnosing } from './diagnosing';
-import {
-  forDiagnosis,
-  forWhatIf,
-  inWords,
-  keyIn,
-  othersOf,
-  readFrom,
-  readWords,
-  requestOf,
-  unitIn,
-} from './document';
+import { inWords, keyIn, othersOf, readFrom, readWords, requestOf, unitIn } from './document';
 import { readFile, readParts } from './files';
-import { acceptFiles } from './drop';
+import { acceptFiles, filePick } from './drop';
 import { jobForm } from './form';
 import { headline } from './headline';
 import { JobBox } from './job_box';
@@ -41,11 +31,12 @@ import {
 } from './outcome';
 import { keepResult, keepRun, openRun, ownName, watchRun, withResults, type Kept } from './run';
 import { printedRules } from './printed';
-import { askedWith, atCosts, forbidding, oneOfEach } from './revised';
+import { diagnosisOf, whatIfHere } from './questions';
+import { askedWith, forbidding, oneOfEach } from './revised';
 import { runSheet } from './sheet';
 import { keep as keepState, newId } from './store';
 import { timeWords } from './times';
-import { compared, whatIf, whyNoWhatIf } from './what_if';
+import { compared } from './what_if';
 import { workbookLink } from './workbook';
 
 export class PlanPage {
@@ -54,6 +45,8 @@ export class PlanPage {
   private run: Kept | null = null;
   private watching: AbortController | null = null;
   private planning: AbortController | null = null;
+  /** Whether that plan is of a job of its own, and not of the rest of the sheet. */
+  private anew = false;
   /** What is drawn of the sheet, and what it listens to. */
   private drawing = new AbortController();
   private refreshSheet: () => void = () => undefined;
@@ -78,14 +71,7 @@ export class PlanPage {
     () => this.pick.click(),
     (dayBegins) => this.retimed(dayBegins),
   );
-  private readonly pick = h('input', {
-    type: 'file',
-    class: 'unseen',
-    tabindex: -1,
-    accept: '.csv,.tsv,.txt,.xlsx,.pict,.model,.json,text/csv,text/plain',
-    'aria-label': 'A file with a list of parts',
-    onchange: () => this.pick.files?.[0] && void this.take(this.pick.files[0]),
-  });
+  private readonly pick = filePick((file) => void this.take(file));
   private readonly box = new JobBox(
     this.form.element,
     () => this.formOr(this.state.job),
@@ -97,7 +83,7 @@ export class PlanPage {
   /** What was said of a file that was read. */
   private told: readonly string[] = [];
   private readonly diagnosing = new Diagnosing({
-    ask: () => this.diagnose(),
+    ask: () => diagnosisOf(this.form.read(), this.state.outcome!, this.view.signal),
     add: (next) => {
       this.state.outcome = withNext(this.state.outcome!, next, this.form.read());
       this.show();
@@ -145,28 +131,48 @@ export class PlanPage {
     watchRun(
       run.id,
       () => this.run!,
-      (found) => {
-        if (found.sheet_revision !== this.run!.sheet) {
-          void this.reopen('This run was replanned in another window.');
-          return;
-        }
-        this.run = { ...this.run!, revision: found.revision };
-        const mine = [...this.unsaved].map(
-          (i) => [i, { ...this.state.outcome!.tests[i]! }] as const,
-        );
-        withResults(this.state.outcome!, found);
-        mine.forEach(([i, { result, notes }]) =>
-          Object.assign(this.state.outcome!.tests[i]!, { result, notes }),
-        );
-        this.refreshSheet();
+      (found) => this.heard(found),
+      () => {
+        this.run = null;
+        stop();
+        this.sayKept('This run was removed from the server; this window still has it.');
       },
-      () => (
-        (this.run = null),
-        stop(),
-        this.sayKept('This run was removed from the server; this window still has it.')
-      ),
       this.watching.signal,
     );
+  }
+
+  /** Another window has written into the run. */
+  private heard(found: Run): void {
+    if (found.sheet_revision !== this.run!.sheet) {
+      this.interrupt('it was of the sheet before.');
+      void this.reopen('This run was replanned in another window.');
+      return;
+    }
+    this.run = { ...this.run!, revision: found.revision };
+    const { tests } = this.state.outcome!;
+    const before = tests.map(verdictOf).join();
+    const mine = [...this.unsaved].map((i) => [i, { ...tests[i]! }] as const);
+    withResults(this.state.outcome!, found);
+    mine.forEach(([i, { result, notes }]) => Object.assign(tests[i]!, { result, notes }));
+    this.refreshSheet();
+    if (before !== tests.map(verdictOf).join()) {
+      this.interrupt('a result came from another window. Replan to count it.');
+    }
+  }
+
+  /** What the stream may not have told yet. */
+  private async listenOnce(signal: AbortSignal): Promise<void> {
+    const { run } = this;
+    const found = run && (await get('run?id', { id: run.id }, signal).catch(() => null));
+    found && this.heard(found);
+    signal.throwIfAborted();
+  }
+
+  /** A plan for the rest of this sheet is of no use any more. */
+  private interrupt(why: string): void {
+    if (!this.anew) {
+      this.planning?.abort(new Error(`The plan was stopped: ${why}`));
+    }
   }
 
   private async reopen(why: string): Promise<void> {
@@ -223,9 +229,9 @@ export class PlanPage {
   }
 
   private useExample(job: Job): void {
-    this.startAnew();
+    this.tell([]);
     this.form.set(job);
-    void this.plan([], []);
+    void this.plan([], [], true);
   }
 
   /** What was done is not lost: the job that it belongs to stays where it is kept. */
@@ -238,10 +244,8 @@ export class PlanPage {
   }
 
   private planAgain(): void {
-    if (this.run || this.state.outcome?.tests.some((test) => verdictOf(test) !== '')) {
-      this.startAnew();
-    }
-    void this.plan([], []);
+    const begun = this.state.outcome?.tests.some((test) => verdictOf(test) !== '') ?? false;
+    void this.plan([], [], this.run !== null || begun);
   }
 
   private async pasted(text: string): Promise<Part[] | null> {
@@ -279,7 +283,6 @@ export class PlanPage {
   }
 
   private async take(file: File): Promise<void> {
-    this.pick.value = '';
     try {
       const { job, done, notes, fault } = await readFile(
         file,
@@ -288,7 +291,6 @@ export class PlanPage {
         this.view.signal,
       );
       this.clear();
-      this.startAnew();
       this.form.set(job);
       this.form.told(readFrom(file.name, notes), unitIn(notes));
       this.tell(othersOf(file.name, notes));
@@ -296,7 +298,7 @@ export class PlanPage {
       if (fault) {
         this.say(fault);
       } else if (done.tests.length > 0) {
-        await this.plan(onBenches(done.tests, this.state.outcome), done.places);
+        await this.plan(onBenches(done.tests, this.state.outcome), done.places, true);
       } else {
         announce(`${file.name} was read`);
       }
@@ -305,15 +307,21 @@ export class PlanPage {
     }
   }
 
-  private async plan(tests: readonly Test[], places: readonly Place[]): Promise<void> {
+  /** `anew`: of a job of its own; the sheet that is there stays what it is. */
+  private async plan(
+    tests: readonly Test[],
+    places: readonly Place[],
+    anew = false,
+  ): Promise<void> {
     this.planning?.abort();
+    this.anew = anew;
     const mine = (this.planning = new AbortController());
     const best = new AbortController();
     const stop = () => mine.abort();
     this.view.signal.addEventListener('abort', stop, { once: true });
     this.clear();
     this.form.go.disabled = true;
-    this.result.classList.add('old');
+    this.setOld(true);
     try {
       const job = this.form.read();
       const request = askedWith(job, this.state.outcome, tests, places);
@@ -328,16 +336,18 @@ export class PlanPage {
         this.box.leadTo(cancel, this.fault, 'nearest');
       }
       const found = await follow(request, mine.signal, best.signal, (each) => live.hear(each));
+      anew ? this.startAnew() : await this.listenOnce(mine.signal);
       const done = tests.filter(isDone);
+      const now = this.formOr(job);
       this.state = {
         id: this.state.id,
-        job,
+        job: { ...job, dayBegins: now.dayBegins },
         outcome: { ...outcomeOf(found.planned, job, done, places), plan: found.job },
       };
       this.unsaved.clear();
       const atWork = this.box.holdsFocus();
       fill(this.fault, found.message ? h('p', { class: 'note' }, found.message) : null);
-      this.stale.hidden = true;
+      this.stale.hidden = JSON.stringify(now) === JSON.stringify(this.state.job);
       this.show();
       this.tellOnce();
       if (!atWork) {
@@ -354,7 +364,7 @@ export class PlanPage {
     } finally {
       this.view.signal.removeEventListener('abort', stop);
       if (this.planning === mine) {
-        this.result.classList.remove('old');
+        this.setOld(false);
         this.form.go.disabled = false;
         mine.abort();
         this.box.takeBack();
@@ -369,7 +379,14 @@ export class PlanPage {
     if (!this.state.outcome) {
       this.box.open();
     }
-    this.note('Cancelled.');
+    const why: unknown = planning.signal.reason;
+    this.note(why instanceof DOMException ? 'Cancelled.' : (why as Error).message);
+  }
+
+  /** While another plan is made nothing can be written on the sheet before it, which would be lost. */
+  private setOld(old: boolean): void {
+    this.result.classList.toggle('old', old);
+    this.result.inert = old;
   }
 
   private show(): void {
@@ -400,7 +417,6 @@ export class PlanPage {
       this.diagnosing.refresh(outcome);
     };
     this.refreshSheet();
-    const whyNot = whyNoWhatIf(state.job, outcome);
     fill(
       this.result,
       headline(state.job, outcome, {
@@ -415,34 +431,13 @@ export class PlanPage {
       printedRules(state.job, outcome.notes),
       this.keeping,
       compared(outcome),
-      whyNot !== ''
-        ? outcome.benches === null && h('p', { class: 'hint no-print' }, whyNot)
-        : whatIf(
-            state.job,
-            outcome,
-            async () => {
-              const { what_if: found } = await post(
-                'plan',
-                {},
-                forWhatIf(
-                  askedWith(
-                    state.job,
-                    this.state.outcome,
-                    outcome.tests.filter(isDone),
-                    outcome.places,
-                  ),
-                ),
-                drawing.signal,
-              );
-              return found!;
-            },
-            (test, change, times) =>
-              this.revise(
-                atCosts(this.form.read(), test, change, times),
-                outcome.tests.filter(isDone),
-              ),
-            drawing.signal,
-          ),
+      whatIfHere(
+        state.job,
+        outcome,
+        () => this.form.read(),
+        (job, tests) => this.revise(job, tests),
+        drawing.signal,
+      ),
     );
   }
 
@@ -460,17 +455,6 @@ export class PlanPage {
     this.state.job = { ...this.state.job, dayBegins };
     this.show();
     void this.keepSheet();
-  }
-
-  private async diagnose(): Promise<Diagnosis> {
-    const { tests, places } = this.state.outcome!;
-    const { diagnosis } = await post(
-      'plan',
-      {},
-      forDiagnosis(askedWith(this.form.read(), this.state.outcome, tests, places)),
-      this.view.signal,
-    );
-    return diagnosis!;
   }
 
   /** A result was written down. */
