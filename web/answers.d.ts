@@ -406,6 +406,14 @@ export interface Benches {
       again?: string[];
     }[];
   }[];
+  handovers: {
+    part: string;
+    from: string;
+    to: string;
+    step: number;
+    early: boolean;
+    after: number | null;
+  }[];
   candidates: {
     name: string;
     how: string;

@@ -352,3 +352,90 @@ test('the word of a model that is wrong is marked as a whole', async () => {
   const at = (word) => wordLength(line, line.indexOf(word) + 1);
   assert.deepEqual(['[', '"', 'OS-x', '= '].map(at), [8, 8, 4, 1]);
 });
+
+test('who takes a part out for another bench, and where it comes from, is on the sheet', async () => {
+  const { csv, outcomeOf, step } = await load('pages/plan/outcome.ts');
+  const { fromWords, givesNow, givesWords, outAlready } = await load('pages/plan/handover.ts');
+  const { emptyJob } = await load('pages/plan/job.ts');
+  const { packed, unpacked } = await load('pages/plan/store.ts');
+  const row = (step, set_up, begin, more = {}) => ({
+    step,
+    set_up,
+    places: set_up,
+    cost: 3,
+    begin,
+    end: begin + 3,
+    ...more,
+  });
+  const places = [1, 2].map((number) => ({ number, slot: null }));
+  const sheet = (name, steps) => ({ name, down: false, end: 9, start: [], hours: null, steps });
+  const plan = {
+    ...size,
+    ...rest,
+    places,
+    makespan: 9,
+    lower_bound: { makespan: 9, makespan_reason: 'r', cost: 9, cost_reason: 'r', tests: 4 },
+    sheets: [
+      sheet('A', [row(1, ['Fan', 'Pump'], 0), row(2, ['Valve', 'Pump'], 6)]),
+      sheet('B', [row(1, ['Fan', 'Case'], 4, { day: 1, hour: 4 })]),
+    ],
+    handovers: [{ part: 'Fan', from: 'A', to: 'B', step: 1, early: true, after: 1 }],
+  };
+  const benches = ['A', 'B'].map((name) => ({ name, start: '' }));
+  const job = { ...emptyJob(), benches };
+  const kept = unpacked(
+    JSON.parse(
+      JSON.stringify(
+        packed({ id: 'x', job: emptyJob(), outcome: outcomeOf({ benches: plan }, job, [], []) }),
+      ),
+    ),
+  );
+  const { outcome } = kept;
+  const [first, , receiving] = outcome.tests;
+  const time = (planned) => `at ${planned}`;
+  const said = 'after this test take out Fan: B needs it for test 1, at day 1, 4:00';
+  assert.deepEqual(givesWords(first, time), [said]);
+  assert.equal(fromWords(receiving, 'Fan'), 'from A');
+  assert.deepEqual([...outAlready(outcome, 1)], ['Fan']);
+  assert.deepEqual(givesNow(outcome, 'A', time), [], 'its first test is still to be done');
+  first.result = 'pass';
+  assert.deepEqual(givesNow(outcome, 'A', time), [said.replace('after this test', 'now')]);
+  receiving.result = 'pass';
+  assert.deepEqual(givesNow(outcome, 'A', time), [], 'the other bench has had it');
+  assert.match(csv(outcome, time), /^bench,step,take_out,put_in,hand_over,slot_1/);
+  assert.match(csv(outcome, time), /"after this test take out Fan: B needs/);
+  // The last test of A is planned anew: what was to be done before it is said of the one before.
+  const later = {
+    ...plan,
+    sheets: [sheet('A', [row(2, ['Valve', 'Pump'], 6)]), sheet('B', [row(1, ['Fan', 'Case'], 4)])],
+    handovers: [{ part: 'Fan', from: 'A', to: 'B', step: 1, early: true, after: null }],
+  };
+  const again = outcomeOf({ benches: later }, job, [{ ...first, bench: 'A', number: 1 }], places);
+  assert.deepEqual(givesWords(again.tests[0], time), [
+    'after this test take out Fan: B needs it for test 1',
+  ]);
+  assert.deepEqual(step({ ...again, tests: [{ ...first, again: ['Fan'] }] }, 0).in, [
+    'Fan',
+    'Pump',
+  ]);
+});
+
+test('a test keeps its number when the rest is planned anew', async () => {
+  const { csv, keysOf, namesOf, outcomeOf } = await load('pages/plan/outcome.ts');
+  const { emptyJob } = await load('pages/plan/job.ts');
+  const numbered = steps.map((each, i) => ({ ...each, step: i + 1 }));
+  const plan = {
+    ...size,
+    ...rest,
+    start: [],
+    steps: numbered,
+    lower_bound: { cost: 1, reason: '' },
+  };
+  const { tests, places: there } = outcomeOf({ plan }, emptyJob(), [], []);
+  const done = [0, 2].map((i) => ({ ...tests[i], result: 'pass' }));
+  const left = [1, 3].map((i, at) => ({ ...steps[i], step: 4 + at }));
+  const outcome = outcomeOf({ plan: { ...plan, steps: left } }, emptyJob(), done, there);
+  assert.deepEqual(namesOf(outcome), ['1', '3', '4', '5']);
+  assert.deepEqual(keysOf(outcome), ['1', '2', '3', '4']);
+  assert.match(csv(outcome), /\n3,Linux,Firefox,en,/);
+});

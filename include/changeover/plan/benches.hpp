@@ -210,7 +210,8 @@ struct BenchPlan : BenchCount {
 /// {cost, tests, makespan, cost_reason, makespan_reason}, of a model proved_fewest_tests,
 /// cost_unit, places, sheets [{bench, tests,
 /// changes, cost, steps [{step, take_out, put_in, set_up, places, new_pairs (their number), cost,
-/// cost_so_far, begin, end}]}], candidates [{name, how, tests, changes, cost, makespan}], notes; in
+/// cost_so_far, begin, end}]}], candidates [{name, how, tests, changes, cost, makespan}],
+/// handovers [{part, from, to, step, early, after}], of parts of which there are few, notes; in
 /// each step replaced [[out, in]] if costs depend on what is replaced. With hours a day a step also
 /// has day, hour and date of its begin, and finish {day, hour, date}; an hour is in the unit of
 /// costs, counted from the beginning of the day.

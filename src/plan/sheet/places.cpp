@@ -48,10 +48,10 @@ std::vector<MountedPlace> all_places(const std::vector<ShownSheet>& sheets) {
   std::vector<MountedPlace> places;
   for (const std::uint32_t slot : slots_of(*sheets.front().job)) {
     std::size_t width = 0;
-    for (const auto& [job, sheet, bench, times] : sheets) {
-      width = std::max(width, count_in(*job, job->start, slot));
-      for (const RunStep& step : sheet->steps) {
-        width = std::max(width, count_in(*job, step.setup, slot));
+    for (const ShownSheet& shown : sheets) {
+      width = std::max(width, count_in(*shown.job, shown.job->start, slot));
+      for (const RunStep& step : shown.sheet->steps) {
+        width = std::max(width, count_in(*shown.job, step.setup, slot));
       }
     }
     const std::size_t begin = places.size();

@@ -29,6 +29,8 @@ struct ShownSheet {
   const RunSheet* sheet = nullptr;
   std::string bench = {};                        ///< its name; empty: there is only one
   const std::vector<StepTime>* times = nullptr;  ///< of the steps; null: sums of costs
+  /// Lines on parts that go to another bench or come from one, by step; null: the table has none.
+  const std::vector<std::vector<std::string>>* hand_over = nullptr;
 };
 
 struct PlacedSheet {

@@ -24,6 +24,7 @@ struct Line {
   const MountedParts* before = nullptr;
   const MountedParts* now = nullptr;
   std::size_t at = 0;  // index in its list
+  const std::vector<std::string>* hand_over = nullptr;
 };
 
 // The lines with the data that they refer to.
@@ -36,12 +37,13 @@ struct Steps {
 std::shared_ptr<const Steps> steps_of(const std::vector<ShownSheet>& sheets) {
   const auto made = std::make_shared<Steps>(Steps{sheets, placed(sheets), {}});
   for (std::size_t bench = 0; bench < sheets.size(); ++bench) {
-    const auto& [job, sheet, name, times] = sheets[bench];
+    const auto& [job, sheet, name, times, hand_over] = sheets[bench];
     const PlacedSheet& list = made->placed.sheets[bench];
     const MountedParts* before = &list.before;
     for (std::size_t i = 0; i < list.steps.size(); ++i) {
       made->lines.push_back({bench, job->steps_before() + i + 1, &sheet->steps[i],
-                             times == nullptr ? nullptr : &(*times)[i], before, &list.steps[i], i});
+                             times == nullptr ? nullptr : &(*times)[i], before, &list.steps[i], i,
+                             hand_over == nullptr ? nullptr : &(*hand_over)[i]});
       before = &list.steps[i];
     }
   }
@@ -267,6 +269,10 @@ class StepTable {
          .in = job->replaces() ? put_in & for_programs : put_in,
          .name = "put_in",
          .css = "in"});
+    if (steps_->sheets.front().hand_over != nullptr) {
+      add("hand over", [](const Line& line) { return TableCell(*line.hand_over); },
+          {.kind = ColumnKind::list, .name = "hand_over"});
+    }
   }
 
   void add_setups() {

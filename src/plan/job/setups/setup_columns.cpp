@@ -240,6 +240,7 @@ const OwnHead* own_head(std::string_view head) {
   static constexpr auto heads = std::to_array<OwnHead>({
       {.head = "take_out", .is_planned = true},
       {.head = "put_in", .is_planned = true},
+      {.head = "hand_over", .is_planned = true},
       {.head = "set", .is_planned = true},
       {.head = "set_up"},
       {.head = "new_pairs", .is_figure = true, .counts_new = true},

@@ -12,6 +12,7 @@
 #include "core/small_letters.hpp"
 #include "core/words.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
+#include "plan/sheet/benches/handovers.hpp"
 #include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/step_table.hpp"
 
@@ -161,6 +162,13 @@ TableDocument table_document(const BenchDocument& document) {
   const StepTableOptions options{.calendar = calendar.has_days() ? &calendar : nullptr};
   // Data that the tables refer to live as long as the tables.
   const auto sheets = std::make_shared<const BenchSheets>(document);
+  const auto lines =
+      std::make_shared<const HandoverLines>(handover_lines(*document.job, plan, money, calendar));
+  const auto owner =
+      std::make_shared<const std::pair<decltype(sheets), decltype(lines)>>(sheets, lines);
+  const bool hands_over = std::ranges::any_of(*lines, [](const auto& bench) {
+    return std::ranges::any_of(bench, [](const auto& step) { return !step.empty(); });
+  });
   TableDocument made{.title = document.title, .style = style_of(*document.job), .overview = "Plan"};
   set_lines(made, bench_summary(document));
   add_mounted(made, *document.job, mounted_everywhere(document));
@@ -172,12 +180,13 @@ TableDocument table_document(const BenchDocument& document) {
     const RunSheet& sheet = plan.sheets[b];
     ShownSheet shown = sheets->shown[b];
     shown.times = timed ? &plan.times[b] : nullptr;
+    shown.hand_over = hands_over ? &(*lines)[b] : nullptr;
     made.sections.push_back(
         {.heading =
              fmt::format("{}: {}, {}, cost {}", shown.bench, count_of(sheet.steps.size(), "test"),
                          count_of(sheet.changes, "change"), money(sheet.cost)),
          .page_lines = mounted_on_page(*shown.job, !sheet.steps.empty()),
-         .table = kept_with(step_table({shown}, money, options), sheets),
+         .table = kept_with(step_table({shown}, money, options), owner),
          .in = everywhere & ~in_csv,
          .css = "bench",
          .sheet = tabs[b],
@@ -188,7 +197,7 @@ TableDocument table_document(const BenchDocument& document) {
     whole.push_back(std::move(shown));
   }
   made.sections.push_back(
-      {.table = kept_with(step_table(whole, money, options), sheets), .in = in_csv});
+      {.table = kept_with(step_table(whole, money, options), owner), .in = in_csv});
   made.sections.push_back({.table = bench_table(document, money), .in = in_workbook});
   made.sections.push_back({.heading = "Compared",
                            .table = compared_benches(document, money),

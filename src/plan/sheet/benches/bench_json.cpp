@@ -3,6 +3,7 @@
 
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
+#include "plan/sheet/benches/handovers.hpp"
 #include "plan/sheet/places_json.hpp"
 #include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/values_json.hpp"
@@ -65,6 +66,21 @@ void write_bench(JsonWriter& json, const BenchDocument& document, std::size_t be
   json.end_object();
 }
 
+// Parts that go from one bench to another, by the names of benches and the numbers of steps.
+void write_handovers(JsonWriter& json, const Job& job, const BenchPlan& plan) {
+  json.objects("handovers", handovers(job, plan), [&](const Handover& each) {
+    const auto number = [&](std::size_t bench, std::size_t step) {
+      return plan.benches[bench].steps_before() + step + 1;
+    };
+    json.key("part").value(job.names[each.part]);
+    json.key("from").value(name_of(plan.benches, each.from));
+    json.key("to").value(name_of(plan.benches, each.to));
+    json.key("step").value(number(each.to, each.step)).key("early").value(each.is_early);
+    json.key("after");
+    each.after ? json.value(number(each.from, *each.after)) : json.null();
+  });
+}
+
 }  // namespace
 
 std::string json_of(const BenchDocument& document) {
@@ -119,6 +135,7 @@ std::string json_of(const BenchDocument& document) {
   json.list("sheets", std::views::iota(std::size_t{0}, plan.sheets.size()), [&](std::size_t bench) {
     write_bench(json, document, bench, money, calendar, sheets, places);
   });
+  write_handovers(json, job, plan);
   json.objects("candidates", plan.candidates, [&](const BenchCandidate& c) {
     json.key("name").value(c.name).key("how").value(c.how);
     json.key("tests").value(c.tests).key("changes").value(c.changes);

@@ -9,10 +9,11 @@ export interface Actions {
   refresh(): void;
 }
 
-/** `mayDiagnose`: whether the faults of this job can be told from results. */
+/** `time` says a time of the plan as people do. `mayDiagnose`: whether the faults of this job can be told from results. */
 export function sheetActions(
   title: string,
   outcome: Outcome,
+  time: (planned: string) => string,
   mayDiagnose: boolean,
   workbook: HTMLElement | null,
   replanned: () => void,
@@ -28,7 +29,7 @@ export function sheetActions(
     replan,
     diagnose,
     button('Print the sheet', () => window.print()),
-    button('Download CSV', () => save(`${fileOf(title)}.csv`, csv(outcome), 'text/csv')),
+    button('Download CSV', () => save(`${fileOf(title)}.csv`, csv(outcome, time), 'text/csv')),
     workbook,
   );
   const refresh = (): void => {

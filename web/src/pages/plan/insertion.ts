@@ -1,7 +1,8 @@
 // The test that tells most, put into the sheet before the tests that are left.
 import type { Diagnosis } from '../../lib/api';
 import { decimal, exact, type Job } from './job';
-import { isDone, step, type Outcome, type Test } from './outcome';
+import { withLater } from './handover';
+import { isDone, numbersOf, step, type Outcome, type Test } from './outcome';
 
 /** Of a model: the parameter and the value that each part of a plan stands for. */
 export function valuesOf({ tests }: Outcome): Map<string, readonly [string, string]> {
@@ -113,7 +114,17 @@ export function withNext(
   const open = outcome.tests.findIndex((each) => each.bench === bench && !isDone(each));
   const at = open < 0 ? outcome.tests.length : open;
   const tests = [...outcome.tests];
-  tests.splice(at, 0, test);
+  // It takes the number of the one before which it stands.
+  const numbers = numbersOf(outcome);
+  tests.splice(at, 0, open < 0 ? test : { ...test, number: numbers[open]! });
+  for (let i = at + 1; i < tests.length; ++i) {
+    if (tests[i]!.bench === bench) {
+      tests[i] = { ...tests[i]!, number: numbers[i - 1]! + 1 };
+    }
+  }
+  if (open >= 0) {
+    tests.forEach((each, i) => (tests[i] = withLater(each, bench, numbers[open]!)));
+  }
   let [cost, changes] = [next.cost, next.put_in.length];
   if (open >= 0) {
     const later = tests[at + 1]!;

@@ -2,7 +2,8 @@
 // phone beside the bench.
 import { fill, h } from '../../lib/dom';
 import { moneyOf } from './job';
-import { namesOf, repeats, step, testName, verdictOf, type Outcome } from './outcome';
+import { fromWords, givesNow, givesWords, gotWords } from './handover';
+import { namesOf, numbersOf, repeats, step, testName, verdictOf, type Outcome } from './outcome';
 import { resultButtons } from './results';
 import { setUp } from './sheet';
 
@@ -19,6 +20,9 @@ export function nextTests(
 ): Next {
   const element = h('div', { class: 'next-tests no-print' });
   const names = namesOf(outcome);
+  const numbers = numbersOf(outcome);
+  const sentence = (words: string) =>
+    h('p', { class: 'hand-over' }, `${words[0]!.toUpperCase()}${words.slice(1)}.`);
   const money = moneyOf(outcome.tests.map(({ cost }) => cost));
   const named = (i: number) => testName(outcome.tests[i]!, names[i]!);
   function card(i: number): HTMLElement {
@@ -26,7 +30,8 @@ export function nextTests(
     const { out, in: put } = step(outcome, i);
     // On an empty bench what is put in is all that is then in.
     const all = out.length === 0 && put.length === test.parts.length;
-    const of = outcome.tests.filter(({ bench }) => bench === test.bench).length;
+    const of = Math.max(...numbers.filter((_, at) => outcome.tests[at]!.bench === test.bench));
+    const from = (part: string) => [part, fromWords(test, part)].filter(Boolean).join(' ');
     const again = repeats(outcome, i);
     const same = out.length === 0 && put.length === 0;
     const line = (label: string, kind: string, parts: string[]) =>
@@ -55,7 +60,10 @@ export function nextTests(
       same && h('p', { class: 'same' }, 'Change nothing.'),
       ...(test.values || all || same
         ? []
-        : [out.length > 0 ? line('Take out', 'leave', out) : null, line('Put in', 'enter', put)]),
+        : [
+            out.length > 0 ? line('Take out', 'leave', out) : null,
+            line('Put in', 'enter', put.map(from)),
+          ]),
       h(
         'p',
         { class: 'set-up' },
@@ -66,8 +74,23 @@ export function nextTests(
         ),
         ...setUp(test, outcome.places, new Set(put)),
       ),
+      ...givesNow(outcome, test.bench, time).map(sentence),
+      ...(all ? gotWords(test) : []).map(sentence),
+      ...givesWords(test, time).map(sentence),
       resultButtons(test, names[i]!, () => written(i), { pass: '✓ pass', fail: '✗ fail' }).element,
     );
+  }
+  /** Of a bench whose tests are done: what others need of it. */
+  function leftOver(bench: string | null): HTMLElement | null {
+    const gives = givesNow(outcome, bench, time);
+    return gives.length === 0
+      ? null
+      : h(
+          'section',
+          { class: 'next-test', 'aria-label': `Next: ${bench}` },
+          h('h3', {}, `${bench}: all its tests are done`),
+          gives.map(sentence),
+        );
   }
   function refresh(): void {
     const benches = [...new Set(outcome.tests.map(({ bench }) => bench))];
@@ -76,7 +99,8 @@ export function nextTests(
         outcome.tests.findIndex((test) => test.bench === bench && verdictOf(test) === ''),
       )
       .filter((i) => i >= 0);
-    fill(element, next.map(card));
+    const over = benches.filter((bench) => !next.some((i) => outcome.tests[i]!.bench === bench));
+    fill(element, next.map(card), over.map(leftOver));
   }
   refresh();
   return { element, refresh };

@@ -1,5 +1,7 @@
 // What was planned: tests with their places, costs and results, as the page keeps them.
 import type { Benches, Plan, Planned } from '../../lib/api';
+import { fromWords, givesWords, withHandovers, withoutHandovers } from './handover';
+import type { Given, Got } from './handover';
 import { exact, namesIn, type Job, type Unit } from './job';
 
 /** A place of the bench: its number, and of which slot it is. */
@@ -11,6 +13,8 @@ export interface Place {
 export interface Test {
   /** On which bench, if there are several. */
   bench: string | null;
+  /** Its number in its list, which it keeps; without it the one after that of the test before. */
+  number?: number;
   parts: string[];
   /** By place; null is an empty place. Without places there is no such list. */
   places: (string | null)[] | null;
@@ -23,6 +27,10 @@ export interface Test {
   ends?: string;
   /** The same two as times since the start, in the unit of costs. */
   span?: [begin: number, end: number];
+  /** Parts that were given up while the bench waited, and are put in again. */
+  again?: string[];
+  gives?: Given[];
+  gets?: Got[];
   /** "pass", "fail", …, as it was written; '' is none. */
   result: string;
   notes: string;
@@ -106,15 +114,27 @@ export function isDone(test: Test): boolean {
   return verdict !== '' && verdict !== 'not run';
 }
 
-/** What a test is called: its number in its list. */
-export function namesOf(outcome: Outcome): string[] {
-  const counts = new Map<string | null, number>();
-  return outcome.tests.map(({ bench }) => {
-    const n = (counts.get(bench) ?? 0) + 1;
-    counts.set(bench, n);
-    return bench === null ? String(n) : `${bench} ${n}`;
+/** The number of each test in its list. */
+export function numbersOf({ tests }: Pick<Outcome, 'tests'>): number[] {
+  const last = new Map<string | null, number>();
+  return tests.map(({ bench, number }) => {
+    const n = number ?? (last.get(bench) ?? 0) + 1;
+    last.set(bench, n);
+    return n;
   });
 }
+
+/** What a test is called: its number in its list. */
+export function namesOf(outcome: Outcome): string[] {
+  const numbers = numbersOf(outcome);
+  return outcome.tests.map(({ bench }, i) =>
+    bench === null ? String(numbers[i]) : `${bench} ${numbers[i]}`,
+  );
+}
+
+/** What a test is kept by: its place in its list, which has no gaps. */
+export const keysOf = ({ tests }: Outcome): string[] =>
+  namesOf({ tests: tests.map(({ bench }) => ({ bench })) } as Outcome);
 
 /** "test 2", "Bench 1, test 2": a name of namesOf() in a sentence. */
 export function testName({ bench }: Test, name: string): string {
@@ -160,9 +180,10 @@ function startOf({ benches, start }: Outcome, bench: string | null): readonly st
 export function step(outcome: Outcome, i: number): { out: string[]; in: string[] } {
   const { parts: now, bench } = outcome.tests[i]!;
   const earlier = before(outcome.tests, i)?.parts ?? startOf(outcome, bench);
+  const again = new Set(outcome.tests[i]!.again);
   return {
-    out: earlier.filter((name) => !now.includes(name)),
-    in: now.filter((name) => !earlier.includes(name)),
+    out: earlier.filter((name) => !now.includes(name) || again.has(name)),
+    in: now.filter((name) => !earlier.includes(name) || again.has(name)),
   };
 }
 
@@ -186,6 +207,10 @@ export function repeats(outcome: Outcome, i: number): string {
     ? ''
     : `repeats failed ${testName(outcome.tests[failed]!, namesOf(outcome)[failed]!)}`;
 }
+
+/** Plans of before numbered no step. */
+const numbered = ({ step: number }: { step?: number }): { number?: number } =>
+  number === undefined ? {} : { number };
 
 const untested = { result: '', notes: '', by: '', at: '' };
 
@@ -247,6 +272,7 @@ function ofPlan(plan: Plan, job: Job, done: readonly Test[], places: readonly Pl
   const triples = plan.triples_needed > 0;
   const tests = plan.steps.map((each): Test => ({
     bench: null,
+    ...numbered(each),
     parts: each.set_up,
     places: each.places,
     cost: each.cost,
@@ -305,12 +331,13 @@ function ofBenches(
     ...done
       .filter(({ bench }) => bench === sheet.name)
       // The clock starts again: when they were to run no longer counts.
-      .map(({ span, when, ends, ...test }) => placed(test, places, plan.places)),
+      .map(({ span, when, ends, ...test }) => placed(withoutHandovers(test), places, plan.places)),
     ...sheet.steps.map((each): Test => {
       const when = clock(each, plan.cost_unit);
       const ends = clock(each.finish, plan.cost_unit);
       return {
         bench: sheet.name,
+        ...numbered(each),
         parts: each.set_up,
         places: each.places,
         cost: each.cost,
@@ -318,10 +345,12 @@ function ofBenches(
         ...(when ? { when } : {}),
         ...(ends ? { ends } : {}),
         span: [each.begin, each.end],
+        ...(each.again ? { again: each.again } : {}),
         ...untested,
       };
     }),
   ]);
+  withHandovers(tests, plan.handovers ?? []);
   const cost = early ? plan.makespan : plan.cost;
   return {
     benches: plan.sheets.map(({ name, down, end, start, hours }) => ({
@@ -391,8 +420,21 @@ const safe = (name: string) => (/^[=+\-@\t]/.test(name) ? `'${name}` : name);
 const quote = (field: string) =>
   /[",\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field;
 
-/** The run sheet as CSV with the columns of the command line, which reads it back as `--done`. */
-export function csv(outcome: Outcome): string {
+/** What goes from bench to bench with a test, as the library writes it. */
+const handedOver = (test: Test, time: (planned: string) => string): string =>
+  [
+    ...(test.gets ?? []).map(({ part }) => `${part} ${fromWords(test, part)}`),
+    ...givesWords(test, time),
+  ].join('; ');
+
+/**
+ * The run sheet as CSV with the columns of the command line, which reads it back as `--done`.
+ * `time` says a time of the plan as people do.
+ */
+export function csv(
+  outcome: Outcome,
+  time: (planned: string) => string = (planned) => planned,
+): string {
   const { tests, places, benches } = outcome;
   const names = namesOf(outcome);
   const parameters = Object.keys(tests.find((test) => test.values)?.values ?? {});
@@ -406,6 +448,7 @@ export function csv(outcome: Outcome): string {
       ? `slot_${place.number}${place.slot === null ? '' : ` ${place.slot}`}`
       : `slot_${i + 1}`;
   });
+  const handsOver = tests.some(({ gets }) => gets !== undefined);
   const sums = new Map<string | null, number>();
   const rows = tests.map((test, i) => {
     const sum = exact((sums.get(test.bench) ?? 0) + test.cost);
@@ -417,7 +460,12 @@ export function csv(outcome: Outcome): string {
       benches ? names[i]!.slice((test.bench ?? '').length + 1) : names[i]!,
       ...(parameters.length > 0
         ? parameters.map((name) => safe(test.values?.[name] ?? ''))
-        : [safe(out.join(', ')), safe(put.join(', ')), ...heads.map((_, j) => safe(row[j] ?? ''))]),
+        : [
+            safe(out.join(', ')),
+            safe(put.join(', ')),
+            ...(handsOver ? [safe(handedOver(test, time))] : []),
+            ...heads.map((_, j) => safe(row[j] ?? '')),
+          ]),
       String(test.cost),
       String(sum),
       test.result,
@@ -427,7 +475,9 @@ export function csv(outcome: Outcome): string {
   const head = [
     ...(benches ? ['bench'] : []),
     'step',
-    ...(parameters.length > 0 ? parameters : ['take_out', 'put_in', ...heads]),
+    ...(parameters.length > 0
+      ? parameters
+      : ['take_out', 'put_in', ...(handsOver ? ['hand_over'] : []), ...heads]),
     'cost',
     'cost_so_far',
     'result',

@@ -404,6 +404,7 @@ export class PlanPage {
     const actions = sheetActions(
       state.job.title,
       outcome,
+      time,
       state.job.changeCosts === '',
       workbookLink(state.job.title, outcome, drawing.signal),
       () => void this.plan(outcome.tests, outcome.places),

@@ -1,7 +1,7 @@
 // A run that the server keeps: results of two windows meet, and survive a closed browser.
 import { get, post, ApiError, type Run, type RunHead } from '../../lib/api';
 import { listen } from '../../lib/events';
-import { namesOf, type Outcome, type State } from './outcome';
+import { keysOf, type Outcome, type State } from './outcome';
 import { packed, unpacked } from './store';
 
 const nameKey = 'changeover-name';
@@ -35,7 +35,7 @@ function sheetOf(state: State): Record<string, unknown> {
  */
 export async function keepRun(state: State, run: Kept | null, signal: AbortSignal): Promise<Kept> {
   const { tests } = state.outcome!;
-  const names = namesOf(state.outcome!);
+  const names = keysOf(state.outcome!);
   const results = tests.flatMap(({ result, notes, by, at }, i) =>
     result === '' && notes === '' ? [] : [{ test: names[i]!, result, notes, by, at }],
   );
@@ -62,7 +62,7 @@ export async function keepResult(
   signal: AbortSignal,
 ): Promise<Kept> {
   const { result, notes } = state.outcome!.tests[i]!;
-  const test = namesOf(state.outcome!)[i]!;
+  const test = keysOf(state.outcome!)[i]!;
   const kept = await post(
     'run/result',
     { id: run.id },
@@ -78,7 +78,7 @@ export async function forgetRun(id: string, signal: AbortSignal): Promise<void> 
 
 /** Puts the results of a run onto its sheet. */
 export function withResults(outcome: Outcome, run: Run): void {
-  const names = namesOf(outcome);
+  const names = keysOf(outcome);
   const results = new Map(run.results.map((each) => [each.test, each]));
   outcome.tests.forEach((test, i) => {
     const { result = '', notes = '', by = '', at = '' } = results.get(names[i]!) ?? {};

@@ -6,6 +6,7 @@ import {
   before,
   isDone,
   namesOf,
+  numbersOf,
   repeats,
   step,
   verdictOf,
@@ -13,6 +14,7 @@ import {
   type Place,
   type Test,
 } from './outcome';
+import { fromWords, givesWords, outAlready } from './handover';
 import { resultButtons } from './results';
 import { skippedWords } from './skipped';
 import { idleOf, timeStrip } from './strip';
@@ -48,9 +50,13 @@ function unbroken(name: string): Child {
   return name.length <= 24 && /[ -]/.test(name) ? h('span', { class: 'whole' }, name) : name;
 }
 
-function named(names: readonly string[]): Child[] {
-  return names.flatMap((name, i) => [i > 0 ? ', ' : null, unbroken(name)]);
+/** `more` says what stands small behind a name. */
+function named(names: readonly string[], more: (name: string) => string): Child[] {
+  return names.flatMap((name, i) => [i > 0 ? ', ' : null, unbroken(name), behind(more(name))]);
 }
+
+const behind = (words: string): Child =>
+  words === '' ? null : h('small', { class: 'behind' }, ` ${words}`);
 
 /** What is mounted, slot by slot, in the order of the places; what was put in stands out. */
 export function setUp(test: Test, places: readonly Place[], fresh: ReadonlySet<string>): Child[] {
@@ -119,6 +125,7 @@ function inSlot(
   places: readonly Place[],
   out: readonly string[],
   put: ReadonlySet<string>,
+  from: (part: string) => string,
 ): Child[] {
   const earlier = before(tests, i)?.places ?? null;
   const left = new Set(out);
@@ -139,6 +146,7 @@ function inSlot(
             'span',
             { class: kind },
             put.has(now) ? h('strong', { class: 'enter' }, unbroken(now)) : unbroken(now),
+            put.has(now) && behind(from(now)),
             ...(put.has(now) && gone !== null
               ? [
                   ' ',
@@ -169,6 +177,7 @@ export function runSheet(
 ): Sheet {
   const { tests, places, benches } = outcome;
   const names = namesOf(outcome);
+  const numbers = numbersOf(outcome);
   const money = moneyOf(tests.map(({ cost }) => cost));
   const clock = clockOf(outcome.unit);
   const unit = outcome.unit ? ` ${outcome.unit}` : '';
@@ -239,7 +248,11 @@ export function runSheet(
       again.textContent = repeats(outcome, i);
       again.hidden = again.textContent === '';
     });
-    const list = (parts: string[], none: string) => (parts.length > 0 ? named(parts) : none);
+    const list = (parts: string[], none: string, more: (part: string) => string) =>
+      parts.length > 0 ? named(parts, more) : none;
+    const isOut = outAlready(outcome, i);
+    const from = (part: string) => fromWords(test, part);
+    const handed = givesWords(test, time).map((line) => h('small', { class: 'hand-over' }, line));
     const same = out.length === 0 && put.length === 0;
     const begins = test.when ? time(test.when) : '';
     const ends = test.ends ? time(test.ends) : '';
@@ -247,11 +260,7 @@ export function runSheet(
       'tr',
       {},
       h('td', { class: 'of-result' }, buttons.element),
-      h(
-        'td',
-        { class: 'number of-number' },
-        benches ? names[i]!.slice((test.bench ?? '').length + 1) : number(i + 1),
-      ),
+      h('td', { class: 'number of-number' }, number(numbers[i]!)),
       hasTimes
         ? h(
             'td',
@@ -263,11 +272,15 @@ export function runSheet(
       ...(test.values || slots
         ? []
         : [
-            h('td', { class: 'leave', 'data-label': 'take out' }, list(out, '–')),
+            h(
+              'td',
+              { class: 'leave', 'data-label': 'take out' },
+              list(out, '–', (part) => (isOut.has(part) ? 'is out' : '')),
+            ),
             h(
               'td',
               { class: 'enter', 'data-label': 'put in' },
-              list(put, same ? 'change nothing' : '–'),
+              list(put, same ? 'change nothing' : '–', from),
             ),
           ]),
       ...(slots ?? []).map((slot) =>
@@ -280,7 +293,7 @@ export function runSheet(
                 : 'in-slot',
             'data-label': slot ?? 'other',
           },
-          inSlot(slot, tests, i, places, out, new Set(put)),
+          inSlot(slot, tests, i, places, out, new Set(put), from),
         ),
       ),
       ...(slots
@@ -298,6 +311,7 @@ export function runSheet(
                 'td',
                 { class: 'set-up', 'data-label': 'then in' },
                 setUp(test, places, new Set(put)),
+                handed,
               ),
             ]),
       h('td', { class: 'number of-cost', 'data-label': spent }, money(test.cost)),
@@ -306,7 +320,7 @@ export function runSheet(
         { class: 'number of-sum', 'data-label': hasTimes ? 'ends' : 'so far' },
         ends !== '' || hasTimes ? ends : clock ? clock(sumAt[i]!) : money(sumAt[i]!),
       ),
-      h('td', { class: 'of-notes', 'data-label': 'notes' }, again, notes),
+      h('td', { class: 'of-notes', 'data-label': 'notes' }, slots ? handed : null, again, notes),
     );
     return rows[i]!;
   }

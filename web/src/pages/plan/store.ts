@@ -2,6 +2,7 @@
 // case.
 import { longestWord, pack, unpack } from '../../lib/share';
 import { emptyBench, emptyJob, namesIn, type Bench, type Job, type Part, type Slot } from './job';
+import type { Given, Got } from './handover';
 import { isDone, type Outcome, type State, type Test } from './outcome';
 
 const prefix = 'changeover-job-';
@@ -60,6 +61,10 @@ export function packed({ id, job, outcome }: State): Small {
     test.values ?? null,
     test.places ? test.parts.map(number) : null,
     test.span || test.ends ? [...(test.span ?? [null, null]), test.ends ?? null] : null,
+    test.number ?? null,
+    test.again || test.gives || test.gets
+      ? { again: test.again, gives: test.gives, gets: test.gets }
+      : null,
   ]);
   return { id, job: small, outcome: { ...outcome, names, tests } };
 }
@@ -124,11 +129,26 @@ function jobIn(given: Record<string, unknown>): Job | null {
     : null;
 }
 
+/** Parts of a test that are put in again, or go from one bench to another. */
+function movedIn({ again, gives, gets }: Record<string, unknown>): Partial<Test> {
+  const moves = (list: unknown): list is Record<string, unknown>[] =>
+    isList(list) &&
+    list.every((each) => isObject(each) && isText(each['part']) && isText(each['bench']));
+  const isGiven = (each: Record<string, unknown>) =>
+    isNumber(each['test']) && isText(each['when']) && typeof each['before'] === 'boolean';
+  return {
+    ...(isList(again) && again.every(isText) ? { again } : {}),
+    ...(moves(gives) && gives.every(isGiven) ? { gives: gives as unknown as Given[] } : {}),
+    ...(moves(gets) ? { gets: gets as unknown as Got[] } : {}),
+  };
+}
+
 function testIn(row: unknown, names: readonly string[]): Test | null {
   if (!isList(row)) {
     return null;
   }
-  const [set, placed, cost, bench, result, notes, by, at, when, values, order, span] = row;
+  const [set, placed, cost, bench, result, notes, by, at, when, values, order, span, number, more] =
+    row;
   const numbers = (list: unknown): list is number[] =>
     isList(list) && list.every((i) => isNumber(i) && i >= -1 && i < names.length);
   const good =
@@ -143,12 +163,14 @@ function testIn(row: unknown, names: readonly string[]): Test | null {
   const parts = ((order as number[] | null) ?? set).filter((i) => i >= 0).map((i) => names[i]!);
   return {
     bench,
+    ...(isNumber(number) ? { number } : {}),
     parts,
     places: placed ? set.map((i) => (i < 0 ? null : names[i]!)) : null,
     cost,
     ...(isText(when) ? { when } : {}),
     ...(isList(span) && isText(span[2]) ? { ends: span[2] } : {}),
     ...(isList(span) && isNumber(span[0]) && isNumber(span[1]) ? { span: [span[0], span[1]] } : {}),
+    ...(isObject(more) ? movedIn(more) : {}),
     ...(values === null ? {} : { values: values as Record<string, string> }),
     result: result as string,
     notes: notes as string,
