@@ -439,3 +439,18 @@ test('a test keeps its number when the rest is planned anew', async () => {
   assert.deepEqual(keysOf(outcome), ['1', '2', '3', '4']);
   assert.match(csv(outcome), /\n3,Linux,Firefox,en,/);
 });
+
+test('the end of a plan as a time of the calendar: days of work, weekends free', async () => {
+  const { calendarOf } = await load('pages/plan/times.ts');
+  const { emptyBench, emptyJob } = await load('pages/plan/job.ts');
+  const benches = ['A', 'B'].map((name) => ({ ...emptyBench(), name }));
+  const job = { ...emptyJob(), benches, hours: '7' };
+  assert.equal(calendarOf(job)(27), 'day 4, 14:00');
+  assert.equal(calendarOf(job)(63), 'day 9, 15:00', 'the end of a day is still of that day');
+  assert.equal(calendarOf({ ...job, unit: 'minutes' })(420 + 90), 'day 2, 9:30');
+  const friday = { ...job, firstDay: '2026-12-04' };
+  assert.equal(calendarOf(friday)(27), 'Wed 9 Dec, 14:00');
+  assert.equal(calendarOf({ ...friday, weekends: true })(27), 'Mon 7 Dec, 14:00');
+  assert.equal(calendarOf({ ...friday, firstDay: '2026-12-05' })(6), 'Mon 7 Dec, 14:00');
+  assert.equal(calendarOf({ ...job, hours: '' }), null);
+});

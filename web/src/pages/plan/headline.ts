@@ -63,6 +63,13 @@ function gap(job: Job, outcome: Outcome, money: Money): string {
     .replace('above the least possible', 'longer than the least possible');
 }
 
+/** Why a bound is far off where parts go from bench to bench. */
+function waiting({ tests, cost, bound }: Outcome): string {
+  return tests.some(({ gets }) => gets) && cost > 1.1 * bound
+    ? ' This bound counts little of how benches wait for each other’s parts.'
+    : '';
+}
+
 /** The same of costs that are times. */
 function timed(words: string, unit: string): string {
   return words
@@ -142,15 +149,17 @@ function again(job: Job, outcome: Outcome, trust: () => void): Child[] {
   ];
 }
 
-/** What it comes to: what is wanted first stands first. */
-function comesTo(job: Job, outcome: Outcome, money: Money): string {
+const capital = (words: string): string => `${words.charAt(0).toUpperCase()}${words.slice(1)}`;
+
+/** What it comes to, in sentences: what is wanted first stands first. */
+function comesTo(job: Job, outcome: Outcome, money: Money): string[] {
   const { benches, unit, finish, together, cost, changes } = outcome;
   const tests = count(outcome.tests.length - outcome.doneBefore, 'test');
   const several = (benches?.length ?? 0) > 1 ? ' together' : '';
   const size = `${tests}, ${count(changes, 'change')}`;
   const whole = benches ? together : cost;
   const work = unit
-    ? `${money(whole)} ${unit}${benches ? ' of work' : ''}${several}`
+    ? `${money(whole)} ${unit}${benches ? ' of work' : outcome.doneBefore > 0 ? ' more' : ''}${several}`
     : `cost ${money(whole)}${several}`;
   const ends = finish
     ? `done on ${timeWords(finish, job.dayBegins)}`
@@ -158,8 +167,8 @@ function comesTo(job: Job, outcome: Outcome, money: Money): string {
       ? `done after ${money(cost)} ${unit}`
       : `done at ${money(cost)}, with costs as times`;
   return isEarly(job, outcome)
-    ? `${ends}: ${size}, ${work}`
-    : `${size}, ${work}${benches && finish ? `, ${ends}` : ''}`;
+    ? [ends, `${size}, ${work}`]
+    : [`${size}, ${work}${benches && finish ? `, ${ends}` : ''}`];
 }
 
 /** Who has one of each cannot run a plan with a part on two benches. */
@@ -198,6 +207,7 @@ export function headline(job: Job, outcome: Outcome, leads: Leads): HTMLElement 
     ...outcome.tests.map(({ cost }) => cost),
   ]);
   const clock = clockOf(outcome.unit);
+  const all = exact(outcome.tests.reduce((sum, { cost }) => sum + cost, 0));
   const what = modelSize(outcome) || inShort(job, outcome.benches?.length) || count(0, 'part');
   // How many are done is said already.
   const notes = outcome.notes.filter(
@@ -211,9 +221,16 @@ export function headline(job: Job, outcome: Outcome, leads: Leads): HTMLElement 
       'p',
       {},
       doneBefore > 0 ? `${count(doneBefore, 'test')} done; for the rest: ` : `${what}: `,
-      h('strong', {}, comesTo(job, outcome, money)),
-      clock && !outcome.benches ? `, ${clock(outcome.cost)} on the clock` : null,
-      `. ${testsGap(outcome)}${gap(job, outcome, money)}`,
+      comesTo(job, outcome, money).flatMap((words, i): Child[] => [
+        i > 0 && '. ',
+        h('strong', {}, i > 0 ? capital(words) : words),
+      ]),
+      clock && !outcome.benches
+        ? doneBefore > 0
+          ? ` (${clock(all)} on the clock)`
+          : `, ${clock(all)} on the clock`
+        : null,
+      `. ${testsGap(outcome)}${gap(job, outcome, money)}${waiting(outcome)}`,
     ),
     needsSeveral(job, outcome, leads.oneOfEach),
     ...again(job, outcome, leads.trust),

@@ -4,6 +4,7 @@ import type { PlanJob } from '../../lib/api';
 import { plot } from '../../parts/plot';
 import { count } from '../../lib/words';
 import { about, type Job } from './job';
+import { calendarOf } from './times';
 
 export interface Live {
   readonly element: HTMLElement;
@@ -13,34 +14,51 @@ export interface Live {
   hear(job: PlanJob): void;
 }
 
-/** What a plan is measured by while it is searched: words for the best one, the bound, the axis. */
+/** What a plan is measured by while it is searched: words for it, and the axis. */
 interface Measure {
-  best(tests: string): string;
-  bound(amount: string): string;
+  /** The best one in large letters. */
+  head(best: number): string;
+  said(best: number, tests: string): string;
+  bound(least: number): string;
   axis: string;
 }
 
-export function measureOf(job: Job): Measure {
+/** `begun`: some tests are done, and this is of the rest. */
+export function measureOf(job: Job, begun: boolean): Measure {
+  const left = (tests: string) => (begun ? `${tests} left` : tests);
   const several = job.benches.some(({ name }) => name !== '');
   const hours = job.hours.trim() !== '' || job.benches.some((bench) => bench.hours.trim() !== '');
   const unit = job.unit === '' && several && hours ? 'hours' : job.unit;
+  const calendar = several && job.objective !== 'cost' ? calendarOf(job) : null;
+  if (calendar) {
+    return {
+      head: calendar,
+      said: (best, tests) =>
+        `is the end of the best so far: ${about(best)} ${unit} to the last test, ${left(tests)}`,
+      bound: (least) => `no plan is done before ${calendar(least)}`,
+      axis: `${unit} to the end`,
+    };
+  }
   if (several && job.objective !== 'cost') {
     const what = unit === '' ? 'cost' : unit;
     return {
-      best: (tests) => `${what} to the last test are the best so far, with ${tests}`,
-      bound: (amount) => `no plan takes less than ${amount}`,
+      head: about,
+      said: (_, tests) => `${what} to the last test are the best so far, with ${left(tests)}`,
+      bound: (least) => `no plan takes less than ${about(least)}`,
       axis: `${what} to the end`,
     };
   }
   return unit === ''
     ? {
-        best: (tests) => `is the best cost so far, with ${tests}`,
-        bound: (amount) => `no plan costs less than ${amount}`,
+        head: about,
+        said: (_, tests) => `is the best cost so far, with ${left(tests)}`,
+        bound: (least) => `no plan costs less than ${about(least)}`,
         axis: 'cost',
       }
     : {
-        best: (tests) => `${unit} are the best so far, with ${tests}`,
-        bound: (amount) => `no plan takes less than ${amount}`,
+        head: about,
+        said: (_, tests) => `${unit} are the best so far, with ${left(tests)}`,
+        bound: (least) => `no plan takes less than ${about(least)}`,
         axis: unit,
       };
 }
@@ -99,7 +117,7 @@ export function livePanel(
         return;
       }
       stop.disabled = false;
-      cost.textContent = about(job.best);
+      cost.textContent = measure.head(job.best);
       const above = job.bound > 0 ? (100 * (job.best - job.bound)) / job.bound : null;
       const gap =
         above === null
@@ -108,8 +126,8 @@ export function livePanel(
             ? ': this is the least'
             : ` (${above.toFixed(1)}\u00a0% above)`;
       said.textContent =
-        `${measure.best(count(job.tests ?? 0, 'test'))}; ` +
-        `${measure.bound(about(job.bound))}${gap}.`;
+        `${measure.said(job.best, count(job.tests ?? 0, 'test'))}; ` +
+        `${measure.bound(job.bound)}${gap}.`;
       if (points.length === 0) {
         points.push({ at: 0, best: null, bound: job.bound }); // The axis begins there.
       }

@@ -325,7 +325,12 @@ export class PlanPage {
     try {
       const job = this.form.read();
       const request = askedWith(job, this.state.outcome, tests, places);
-      const live = livePanel(measureOf(job), () => best.abort(), stop, mine.signal);
+      const live = livePanel(
+        measureOf(job, tests.some(isDone)),
+        () => best.abort(),
+        stop,
+        mine.signal,
+      );
       const cancel = h('button', { type: 'button', class: 'plain', onclick: stop }, 'Cancel');
       this.box.fold();
       if (this.writes) {

@@ -317,7 +317,10 @@ export function runSheet(
       h('td', { class: 'number of-cost', 'data-label': spent }, money(test.cost)),
       h(
         'td',
-        { class: 'number of-sum', 'data-label': hasTimes ? 'ends' : 'so far' },
+        {
+          class: hasTimes ? 'of-sum' : 'number of-sum',
+          'data-label': hasTimes ? 'ends' : 'so far',
+        },
         ends !== '' || hasTimes ? ends : clock ? clock(sumAt[i]!) : money(sumAt[i]!),
       ),
       h('td', { class: 'of-notes', 'data-label': 'notes' }, slots ? handed : null, again, notes),
@@ -385,7 +388,9 @@ export function runSheet(
                 ? slots.map((slot) => h('th', {}, slot ?? 'other'))
                 : [h('th', {}, 'take out'), h('th', {}, 'put in'), h('th', {}, 'what is in')]),
             h('th', { class: 'number' }, spent),
-            h('th', { class: 'number' }, hasTimes ? 'ends' : clock ? 'clock' : 'so far'),
+            hasTimes
+              ? h('th', {}, 'ends')
+              : h('th', { class: 'number' }, clock ? 'clock' : 'so far'),
             h('th', { class: 'of-notes' }, 'notes'),
           ),
         ),

@@ -1,6 +1,8 @@
 // Times of tests as people say them. A plan counts hours since the day began; the page adds when it
 // begins.
 
+import type { Job } from './job';
+
 const planned = /^(?:day (\d+)|(\d{4}-\d\d-\d\d)), (\d+):(\d\d)$/;
 
 const weekdays = ['Sun', 'Mon', 'Tue', 'Wed', 'Thu', 'Fri', 'Sat'];
@@ -49,4 +51,37 @@ export function timeWords(time: string, begins: string): string {
 export function dayWords(time: string): string | null {
   const date = planned.exec(time)?.[2];
   return date === undefined ? null : dateWords(date);
+}
+
+/** The day of work with this number from 0 on, as the planner writes dates. */
+function workday(first: string, weekends: boolean, number: number): string {
+  const day = new Date(`${first}T00:00:00Z`);
+  const isFree = () => !weekends && [0, 6].includes(day.getUTCDay());
+  for (let left = number; isFree() || left > 0; day.setUTCDate(day.getUTCDate() + 1)) {
+    left -= isFree() ? 0 : 1;
+  }
+  return day.toISOString().slice(0, 10);
+}
+
+/**
+ * Says the end of a plan, a sum of hours of work in the unit of costs, as a time of the calendar;
+ * null for benches without days.
+ */
+export function calendarOf(job: Job): ((end: number) => string) | null {
+  const up = job.benches.filter(({ name, down }) => name !== '' && !down);
+  const own = up.map(({ hours }) => Number((hours.trim() || job.hours.trim()).replace(',', '.')));
+  if (!own.some((hours) => hours > 0)) {
+    return null;
+  }
+  const day = Math.max(...own.map((hours) => (hours > 0 ? hours : 24)));
+  const inHours = { seconds: 1 / 3600, minutes: 1 / 60, hours: 1, money: 1, '': 1 }[job.unit];
+  return (end) => {
+    const all = end * inHours;
+    const days = Math.max(0, Math.ceil(all / day - 1e-9) - 1);
+    const minutes = Math.round((all - days * day) * 60);
+    const name =
+      job.firstDay && days < 1e4 ? workday(job.firstDay, job.weekends, days) : `day ${days + 1}`;
+    const rest = String(minutes % 60).padStart(2, '0');
+    return timeWords(`${name}, ${Math.floor(minutes / 60)}:${rest}`, job.dayBegins);
+  };
 }
