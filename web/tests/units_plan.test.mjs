@@ -454,3 +454,23 @@ test('the end of a plan as a time of the calendar: days of work, weekends free',
   assert.equal(calendarOf({ ...friday, firstDay: '2026-12-05' })(6), 'Mon 7 Dec, 14:00');
   assert.equal(calendarOf({ ...job, hours: '' }), null);
 });
+
+test('an automatic search ends when nothing came for as long as it took to get there', async () => {
+  const { Patience } = await load('pages/plan/patience.ts');
+  const heard = (ends, ...news) => {
+    const patience = new Patience(ends);
+    const at = news.findIndex(([seconds, best]) => patience.isOut({ seconds, best }));
+    return [at, patience.noted({ notes: [] }).notes];
+  };
+  const long = [
+    [1, null],
+    [2, 44],
+    [14, 44],
+    [17.5, 44],
+    [40, 44],
+  ];
+  assert.deepEqual(heard(true, ...long), [3, ['nothing better came for 15 seconds']]);
+  assert.deepEqual(heard(true, [2, 44], [14, 43], [28, 43], [30, 43])[0], 3);
+  assert.deepEqual(heard(true, [2, 44], [25, 43], [45, 43])[0], -1);
+  assert.deepEqual(heard(false, ...long), [-1, []]);
+});

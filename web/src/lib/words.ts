@@ -84,3 +84,7 @@ export function indexed(name: string): string {
     [...index].map((digit) => below[Number(digit)]).join(''),
   );
 }
+
+/** As the beginning of a sentence. */
+export const capital = (words: string): string =>
+  `${words.charAt(0).toUpperCase()}${words.slice(1)}`;

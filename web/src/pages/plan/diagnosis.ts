@@ -1,7 +1,7 @@
 // What the failed tests say: which part or pair explains them, and the test that tells most next.
 import type { Diagnosis } from '../../lib/api';
 import { h, type Child } from '../../lib/dom';
-import { count, number } from '../../lib/words';
+import { capital, count, number } from '../../lib/words';
 
 type Name = (fault: readonly string[]) => string;
 /** What can be at fault: parts, or values of a model. */
@@ -24,6 +24,23 @@ function explained(
       : `${count(left, 'explanation')} ${left === 1 ? 'is' : 'are'} left`;
   const some = left > 0 && left <= fewNamed ? `: ${shown.slice(0, left).join('; ')}` : '';
   return h('li', {}, `${label}, ${explained}${some}.`);
+}
+
+/** Why a test was chosen: what it rules out, and the whole of it in details. */
+function whyChosen(why: string): Child[] {
+  const [, all, out] =
+    /of the (\d+) explanations, so either result rules out at least (\d+);/.exec(why) ?? [];
+  return all === undefined || out === undefined
+    ? [h('p', {}, `${capital(why)}.`)]
+    : [
+        h(
+          'p',
+          {},
+          `Either result rules out ${2 * Number(out) === Number(all) ? '' : 'at least '}${out} ` +
+            `of the ${all}.`,
+        ),
+        h('details', {}, h('summary', {}, 'Why this test'), h('p', {}, `${capital(why)}.`)),
+      ];
 }
 
 /** How many faults there must be, and how many ways there are to explain the failures. */
@@ -144,7 +161,7 @@ export function diagnosisPanel(
     body.push(
       h('h3', {}, 'The test that tells most'),
       h('p', { class: 'set-up' }, next.set_up.map(bare).join(', ')),
-      h('p', {}, `${next.why.charAt(0).toUpperCase()}${next.why.slice(1)}.`),
+      ...whyChosen(next.why),
       h(
         'ul',
         {},

@@ -113,5 +113,5 @@ export const examples: readonly [Example, ...Example[]] = [
   ['a pump bench', pumps],
   ['a server with slots', server],
   ['three benches', benches],
-  ['a web shop (PICT model)', shop],
+  ['a web shop (PICT)', shop],
 ];

@@ -170,6 +170,7 @@ export function jobForm(
     benches.refresh();
     showAim();
     inBar.textContent = barWords();
+    model.rows = Math.min(15, Math.max(9, model.value.split('\n').length + 1));
   }
   /** What is planned, as far as it can be told while it is written. */
   function barWords(): string {
@@ -353,7 +354,6 @@ export function jobForm(
       'div',
       { class: 'row' },
       h('button', { type: 'button', class: 'plain', onclick: pickFile }, 'Open a file …'),
-      aimField,
     ),
     told.model,
   );
@@ -423,6 +423,7 @@ export function jobForm(
           field('Costs are', unit),
           field('Title of the sheet', title),
           field('Time to search', seconds),
+          aimField,
         ),
       ),
     ),
@@ -537,7 +538,7 @@ export function jobForm(
       );
       if (named && unit.value === '') {
         unit.value = named;
-        told[source].append(h('p', { class: 'hint' }, `Costs are ${named}, as its heading says.`));
+        told[source].append(h('p', { class: 'hint' }, `Costs are ${named}, as the heading says.`));
       }
     },
     mark(from, to) {

@@ -1,6 +1,6 @@
 // What a plan comes to, in words.
 import { h, type Child } from '../../lib/dom';
-import { count, number } from '../../lib/words';
+import { capital, count, number } from '../../lib/words';
 import { exact, moneyOf, type Job } from './job';
 import { clockOf } from './sheet';
 import { namesOf, repeated, testName, verdictOf, type Outcome } from './outcome';
@@ -61,6 +61,27 @@ function gap(job: Job, outcome: Outcome, money: Money): string {
     )
     .replace('so this one is at most', 'so this one takes at most')
     .replace('above the least possible', 'longer than the least possible');
+}
+
+const isStop = (note: string): boolean => /^the time limit stopped|^nothing better/.test(note);
+
+/** That the search was stopped, and a longer one if there may be. */
+function stopped({ seconds }: Job, outcome: Outcome, longer: (seconds: number) => void): Child[] {
+  const note = outcome.notes.find(isStop);
+  const more = seconds > 0 && seconds < 60 ? 60 : 600;
+  return note === undefined || exact(outcome.cost) <= exact(outcome.bound)
+    ? []
+    : [
+        note.startsWith('the time limit')
+          ? ' The search ended with its time. '
+          : ` The search ended, as ${note}. `,
+        seconds < more &&
+          h(
+            'button',
+            { type: 'button', class: 'plain small no-print', onclick: () => longer(more) },
+            `Search ${more === 60 ? '1 minute' : '10 minutes'} for less`,
+          ),
+      ];
 }
 
 /** Why a bound is far off where parts go from bench to bench. */
@@ -149,8 +170,6 @@ function again(job: Job, outcome: Outcome, trust: () => void): Child[] {
   ];
 }
 
-const capital = (words: string): string => `${words.charAt(0).toUpperCase()}${words.slice(1)}`;
-
 /** What it comes to, in sentences: what is wanted first stands first. */
 function comesTo(job: Job, outcome: Outcome, money: Money): string[] {
   const { benches, unit, finish, together, cost, changes } = outcome;
@@ -179,8 +198,12 @@ function needsSeveral(job: Job, outcome: Outcome, oneOfEach: () => void): HTMLEl
     : h(
         'p',
         { class: 'needs-several' },
-        `The benches use ${piecesInWords(several)} at the same time. If there are fewer, write `,
-        'under “how many” what there is. ',
+        `The benches use ${piecesInWords(several)} at the same time. `,
+        h(
+          'span',
+          { class: 'no-print' },
+          'If there are fewer, write under “how many” what there is. ',
+        ),
         h(
           'button',
           { type: 'button', class: 'plain small no-print', onclick: oneOfEach },
@@ -194,6 +217,8 @@ export interface Leads {
   trust(): void;
   /** To a plan for which there is one of each part. */
   oneOfEach(): void;
+  /** To a search of so many seconds. */
+  longer(seconds: number): void;
 }
 
 export function headline(job: Job, outcome: Outcome, leads: Leads): HTMLElement {
@@ -209,9 +234,9 @@ export function headline(job: Job, outcome: Outcome, leads: Leads): HTMLElement 
   const clock = clockOf(outcome.unit);
   const all = exact(outcome.tests.reduce((sum, { cost }) => sum + cost, 0));
   const what = modelSize(outcome) || inShort(job, outcome.benches?.length) || count(0, 'part');
-  // How many are done is said already.
+  // How many are done is said already, and that the search was stopped is a sentence.
   const notes = outcome.notes.filter(
-    (note) => doneBefore === 0 || !/done and stays?\.$/.test(note),
+    (note) => (doneBefore === 0 || !/done and stays?\.$/.test(note)) && !isStop(note),
   );
   return h(
     'div',
@@ -231,6 +256,7 @@ export function headline(job: Job, outcome: Outcome, leads: Leads): HTMLElement 
           : `, ${clock(all)} on the clock`
         : null,
       `. ${testsGap(outcome)}${gap(job, outcome, money)}${waiting(outcome)}`,
+      ...stopped(job, outcome, leads.longer),
     ),
     needsSeveral(job, outcome, leads.oneOfEach),
     ...again(job, outcome, leads.trust),
@@ -238,7 +264,7 @@ export function headline(job: Job, outcome: Outcome, leads: Leads): HTMLElement 
     notes.length > 0
       ? h(
           'details',
-          { class: 'no-print', open: notes.length <= 2 },
+          { class: 'no-print', open: notes.some((note) => note.startsWith('A test was added')) },
           h('summary', {}, `${count(notes.length, 'note')} on the job`),
           h(
             'ul',

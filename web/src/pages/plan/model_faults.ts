@@ -79,7 +79,8 @@ export async function showSlip(
   said.after(slip.lines);
   if (meant !== null) {
     const write = () => field.write(from, to, meant);
-    slip.lines.after(
+    said.append(
+      ' ',
       h('button', { type: 'button', class: 'plain small', onclick: write }, `Write ${meant}`),
     );
   }

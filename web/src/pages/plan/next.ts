@@ -1,6 +1,7 @@
 // What to do now: the next test of each bench, with what to take out and put in, large enough for a
 // phone beside the bench.
 import { fill, h } from '../../lib/dom';
+import { capital } from '../../lib/words';
 import { moneyOf } from './job';
 import { fromWords, givesNow, givesWords, gotWords } from './handover';
 import { namesOf, numbersOf, repeats, step, testName, verdictOf, type Outcome } from './outcome';
@@ -21,8 +22,7 @@ export function nextTests(
   const element = h('div', { class: 'next-tests no-print' });
   const names = namesOf(outcome);
   const numbers = numbersOf(outcome);
-  const sentence = (words: string) =>
-    h('p', { class: 'hand-over' }, `${words[0]!.toUpperCase()}${words.slice(1)}.`);
+  const sentence = (words: string) => h('p', { class: 'hand-over' }, `${capital(words)}.`);
   const money = moneyOf(outcome.tests.map(({ cost }) => cost));
   const named = (i: number) => testName(outcome.tests[i]!, names[i]!);
   function card(i: number): HTMLElement {
@@ -56,7 +56,8 @@ export function nextTests(
             `${test.when ? `, begins ${time(test.when)}` : ''}`,
         ),
       ),
-      again !== '' && h('p', { class: 'repeats' }, `${again}: same parts, tested once more.`),
+      again !== '' &&
+        h('p', { class: 'repeats' }, `${capital(again)}: same parts, tested once more.`),
       same && h('p', { class: 'same' }, 'Change nothing.'),
       ...(test.values || all || same
         ? []
@@ -70,7 +71,7 @@ export function nextTests(
         h(
           'span',
           { class: 'label' },
-          test.values ? 'Set' : all ? 'Put in' : same ? 'Is in' : 'Then in',
+          test.values ? 'Set' : all ? 'Put in' : same ? 'In it' : 'Then in',
         ),
         ...setUp(test, outcome.places, new Set(put)),
       ),

@@ -30,6 +30,7 @@ import {
   type Test,
 } from './outcome';
 import { keepResult, keepRun, openRun, ownName, watchRun, withResults, type Kept } from './run';
+import { Patience } from './patience';
 import { printedRules } from './printed';
 import { diagnosisOf, whatIfHere } from './questions';
 import { askedWith, forbidding, oneOfEach } from './revised';
@@ -103,18 +104,17 @@ export class PlanPage {
   }
 
   draw(): void {
-    const { view } = this;
     fill(
-      view.root,
+      this.view.root,
       this.introduction.element,
       this.pick,
-      keptList(this.writes, view.signal),
+      keptList(this.writes, this.view.signal),
       this.box.element,
       this.news,
       this.fault,
       this.result,
     );
-    acceptFiles(view.root, (file) => void this.take(file));
+    acceptFiles(this.view.root, (file) => void this.take(file));
     this.form.set(this.state.job);
     if (this.state.outcome) {
       this.show();
@@ -213,7 +213,9 @@ export class PlanPage {
     const said = fault instanceof ApiError ? new ApiError(words, fault.status) : fault;
     fill(this.fault, problem(said));
     this.fault.scrollIntoView({ block: 'nearest' });
-    void showSlip(message, model, this.fault.firstElementChild!, this.form);
+    void showSlip(message, model, this.fault.firstElementChild!, this.form).then(() =>
+      this.fault.scrollIntoView({ block: 'nearest' }),
+    );
   }
 
   /** What comes next is said below the job. */
@@ -331,6 +333,7 @@ export class PlanPage {
         stop,
         mine.signal,
       );
+      const patience = new Patience(job.seconds === 0);
       const cancel = h('button', { type: 'button', class: 'plain', onclick: stop }, 'Cancel');
       this.box.fold();
       if (this.writes) {
@@ -340,19 +343,26 @@ export class PlanPage {
         this.note(`Planning, for ${count(job.seconds || 10, 'second')} at most … `, cancel);
         this.box.leadTo(cancel, this.fault, 'nearest');
       }
-      const found = await follow(request, mine.signal, best.signal, (each) => live.hear(each));
+      const found = await follow(request, mine.signal, best.signal, (each) => {
+        live.hear(each);
+        patience.isOut(each) && best.abort();
+      });
       anew ? this.startAnew() : await this.listenOnce(mine.signal);
       const done = tests.filter(isDone);
       const now = this.formOr(job);
       this.state = {
         id: this.state.id,
         job: { ...job, dayBegins: now.dayBegins },
-        outcome: { ...outcomeOf(found.planned, job, done, places), plan: found.job },
+        outcome: {
+          ...patience.noted(outcomeOf(found.planned, job, done, places)),
+          plan: found.job,
+        },
       };
       this.unsaved.clear();
       const atWork = this.box.holdsFocus();
       fill(this.fault, found.message ? h('p', { class: 'note' }, found.message) : null);
       this.stale.hidden = JSON.stringify(now) === JSON.stringify(this.state.job);
+      this.setOld(false); // It takes the focus.
       this.show();
       this.tellOnce();
       if (!atWork) {
@@ -428,6 +438,7 @@ export class PlanPage {
       headline(state.job, outcome, {
         trust: () => (this.box.open(), this.form.trust()),
         oneOfEach: () => this.revise(oneOfEach(this.form.read())),
+        longer: (seconds) => this.revise({ ...this.form.read(), seconds }),
       }),
       this.stale,
       next.element,

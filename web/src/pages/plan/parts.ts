@@ -206,7 +206,7 @@ export function partsGrid(
         {},
         h('th', { class: 'number' }, '#'),
         h('th', {}, 'part'),
-        h('th', { class: 'of-cost' }, 'cost to put in'),
+        h('th', { class: 'of-cost', title: 'Of putting it in' }, 'cost'),
         h('th', { class: 'of-slot' }, 'slot'),
         h(
           'th',
