@@ -412,7 +412,8 @@ export function runSheet(
               : `, done at ${money(end)}`
             : '';
         const idle = idleOf(outcome, name);
-        const waits = idle > 0 ? `, ${money(idle)}${unit} idle` : '';
+        const waits =
+          idle > 0 ? `, ${money(idle)}${idle === 1 ? unit.slice(0, -1) : unit} idle` : '';
         const work = unit ? `${money(sum)}${unit} of work` : `cost ${money(sum)}`;
         return h(
           'section',
