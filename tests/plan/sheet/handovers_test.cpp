@@ -1,5 +1,5 @@
-// Parts that go from one bench to another: whoever follows the sheets and the handovers always has
-// the parts of a set-up, and never needs more pieces than there are.
+// Parts that go from one bench to another: a reader who follows the sheets and the handovers always
+// has the parts of a set-up, and never needs more pieces than there are.
 #include "plan/sheet/benches/handovers.hpp"
 
 #include <gmock/gmock.h>
@@ -9,9 +9,9 @@
 #include <map>
 #include <set>
 
-#include "run/random.hpp"
 #include "changeover/plan/benches.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
+#include "run/random.hpp"
 
 namespace changeover::handovers_test {
 namespace {

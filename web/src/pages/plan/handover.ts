@@ -44,7 +44,7 @@ export function withHandovers(tests: Test[], handovers: readonly Handover[]): vo
   }
 }
 
-/** Without them, as the sheet is planned anew. */
+/** Without them, as the sheet is planned again. */
 export function withoutHandovers({ gives, gets, ...test }: Test): Test {
   return test;
 }

@@ -46,7 +46,7 @@ export class PlanPage {
   private run: Kept | null = null;
   private watching: AbortController | null = null;
   private planning: AbortController | null = null;
-  /** Whether that plan is of a job of its own, and not of the rest of the sheet. */
+  /** Whether that plan is of a separate job, and not of the rest of the sheet. */
   private anew = false;
   /** What is drawn of the sheet, and what it listens to. */
   private drawing = new AbortController();
@@ -309,7 +309,7 @@ export class PlanPage {
     }
   }
 
-  /** `anew`: of a job of its own; the sheet that is there stays what it is. */
+  /** `anew`: of a separate job; the sheet that is there stays what it is. */
   private async plan(
     tests: readonly Test[],
     places: readonly Place[],
