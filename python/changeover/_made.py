@@ -107,10 +107,12 @@ for _each in vars(_core).values():
         setattr(_each, "__reduce_ex__", _not_pickled)
 
 
-def made(kind: Type[T], facts: dict[str, Any], core: Any = None) -> T:
+def made(kind: Type[T], facts: Optional[dict[str, Any]], core: Any = None) -> T:
+    """Without facts one that finds them itself when they are needed."""
     one: Any = object.__new__(kind)
-    one._facts = facts
     one._core = core
+    if facts is not None:
+        one._facts = facts
     return typing.cast(T, one)
 
 

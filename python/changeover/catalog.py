@@ -5,6 +5,7 @@ from __future__ import annotations
 import datetime
 import json
 import re
+import typing
 from typing import Any, Dict, List, Optional, Union
 
 from . import _core
@@ -36,6 +37,15 @@ class Entry(Made):
     retracted: str = fact("Why it is no longer vouched for; empty if it is.")
 
     def _kept(self) -> Any:
+    if not typing.TYPE_CHECKING:  # Only for what is not there.
+
+        def __getattr__(self, name):
+            """The facts, when the first of them is asked for: lists of entries are long."""
+            if name != "_facts":
+                return super().__getattr__(name)
+            self._facts = self._core.facts()
+            return self._facts
+
         return self._core.line()
 
     @classmethod
@@ -60,7 +70,7 @@ class Entry(Made):
 
 
 def _entry(core: Any) -> Any:
-    return core and made(Entry, core.facts(), core)
+    return core and made(Entry, None, core)
 
 
 def find(label: str) -> Optional[Entry]:

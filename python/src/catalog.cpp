@@ -7,6 +7,7 @@
 #include "changeover/io/formats.hpp"
 #include "long_work.hpp"
 
+#include "changeover/run/control.hpp"
 namespace changeover::python {
 namespace {
 
@@ -57,6 +58,7 @@ std::vector<CatalogEntry> entries(std::optional<std::uint64_t> v_from,
     standard_catalog().each(filter, [&](const CatalogEntry& entry) {
       found.push_back(entry);
       return true;
+      stop_if_asked();
     });
     return found;
   });

@@ -233,6 +233,19 @@ class Catalog(unittest.TestCase):
             set(itertools.product((10, 11, 12), ("linear", "circular"))),
         )
 
+    def test_ctrl_c_ends_a_long_list(self):
+        def took(work):
+            begin = time.process_time()
+            work()
+            return time.process_time() - begin
+
+        def interrupted():
+            with self.assertRaises(KeyboardInterrupt), ctrl_c_after(0.05):
+                changeover.catalog.entries(best_only=False)
+
+        whole = took(lambda: changeover.catalog.entries(best_only=False))
+        self.assertLess(took(interrupted), whole / 2)
+
 
 class Plans(unittest.TestCase):
     def test_a_sheet_tests_every_pair_and_costs_what_it_says(self):

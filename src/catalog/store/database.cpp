@@ -282,7 +282,7 @@ namespace {
 
 using Faults = std::vector<Catalog::Fault>;
 
-void check_rows(const Shelf& shelf, Faults& faults) {
+void check_rows(Shelf& shelf, Faults& faults) {
   for (Statement rows = shelf.database().prepare(fmt::format("SELECT {}", entry_columns));
        rows.step();) {
     try {

@@ -75,11 +75,10 @@ class Shelf {
 
   /// The entry of a row of entry_columns. @throws BadInput if it is damaged, or contradicts its
   /// row.
-  [[nodiscard]] CatalogEntry read(const Statement& row) const {
+  [[nodiscard]] CatalogEntry read(const Statement& row) {
     const std::string& name = database_.name();
     try {
-      const Credit credit = shared_from_header(row.view(2), name);
-      CatalogEntry entry = entry_from_line(row.view(1), name, 1, credit);
+      CatalogEntry entry = entry_from_line(row.view(1), name, 1, credit(row.view(2)));
       if (entry.label() != row.view(0)) {
         throw BadInput("its line is the one of " + entry.label());
       }
@@ -111,6 +110,17 @@ class Shelf {
     return statement.with(p.k, p.v, p.change, code_of(p.kind), std::uint64_t{p.strength});
   }
 
+  // Thousands of entries share one: it is read once for those that follow each other.
+  const Credit& credit(std::string_view header) {
+    if (!credit_ || header != credit_->first) {
+      credit_.reset();
+      Credit read = shared_from_header(header, database_.name());
+      credit_.emplace(std::string(header), std::move(read));
+    }
+    return credit_->second;
+  }
+
+  std::optional<std::pair<std::string, Credit>> credit_;  // the header that was read last
   Database database_;
   Statement cell_, counts_, label_, has_, begins_, alias_, retraction_;
 };
