@@ -75,7 +75,8 @@ def _entry(core: Any) -> Any:
 
 def find(label: str) -> Optional[Entry]:
     """The entry of a label, of an alias, or of the beginning of one label alone; None if there is
-    none."""
+    none. Raises BadInput for the beginning of several, or of none if it ends before the number of
+    blocks."""
     entry: Optional[Entry] = _entry(_core.Entry.find(label))
     return entry
 

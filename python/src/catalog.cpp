@@ -1,13 +1,15 @@
 // The catalog: designs that are known, by label and by cell.
 #include "changeover/catalog/catalog.hpp"
+#include <fmt/format.h>
+
 #include "bind.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/curator/curator.hpp"
 #include "changeover/io/formats.hpp"
+#include "changeover/run/control.hpp"
 #include "long_work.hpp"
 
-#include "changeover/run/control.hpp"
 namespace changeover::python {
 namespace {
 
@@ -56,12 +58,33 @@ std::vector<CatalogEntry> entries(std::optional<std::uint64_t> v_from,
   return stoppable([&] {
     std::vector<CatalogEntry> found;
     standard_catalog().each(filter, [&](const CatalogEntry& entry) {
+      stop_if_asked();
       found.push_back(entry);
       return true;
-      stop_if_asked();
     });
     return found;
   });
+}
+
+// Where the text is the beginning of labels, it goes on as far as the number of blocks.
+bool names_blocks(const std::string& text) {
+  const std::size_t dot = text.rfind('.');
+  if (dot == std::string::npos || dot + 1 == text.size() || parse_cell_label(text)) {
+    return false;
+  }
+  const std::size_t before = text.rfind('.', dot - 1);
+  return parse_cell_label(text.substr(0, dot)) || parse_cell_label(text.substr(0, before));
+}
+
+std::optional<CatalogEntry> find(const std::string& label) {
+  auto entry = standard_catalog().find(label);
+  if (!entry && reads_as_label(label) && !names_blocks(label)) {
+    throw BadInput(
+        fmt::format("'{}' ends before the number of blocks, and is no alias; write a label such as "
+                    "20.5.2.circular.29, or ask cell() for all entries with given v and k",
+                    label));
+  }
+  return entry;
 }
 
 std::string add(const HeldDesign& design, const std::string& who, const std::string& date,
@@ -87,7 +110,7 @@ void bind_catalog(py::module_& module) {
       .def("line", [](const CatalogEntry& self) { return line_of(self, {}); })
       .def_static("of_line",
                   [](const std::string& line) { return entry_from_line(line, "pickle", 1, {}); })
-      .def_static("find", [](const std::string& label) { return standard_catalog().find(label); })
+      .def_static("find", &find)
       .def_static(
           "cell",
           [](std::uint64_t v, std::uint64_t k, std::uint64_t change, const std::string& kind,

@@ -233,6 +233,16 @@ class Catalog(unittest.TestCase):
             set(itertools.product((10, 11, 12), ("linear", "circular"))),
         )
 
+    def test_beginnings_of_labels_are_told_from_what_is_not_there(self):
+        for text in ("20", "20.5", "20.5.2", "20.5.2.circular", "20.5.2.circular.", "9.4.1.linear.t3"):
+            with self.assertRaisesRegex(
+                changeover.BadInput, f"^'{text}' ends before the number of blocks, and is no alias"
+            ):
+                changeover.catalog.find(text)
+        self.assertIsNone(changeover.catalog.find("20.5.2.circular.3"))
+        label = changeover.catalog.cell(20, 5)[0].label
+        self.assertEqual(changeover.catalog.find(label.rpartition(".")[0]).label, label)
+
     def test_ctrl_c_ends_a_long_list(self):
         def took(work):
             begin = time.process_time()
