@@ -119,11 +119,13 @@ class _Sheets(Shown, Made):
         raise NotImplementedError
 
     def to_frame(self) -> Any:
-        """A pandas.DataFrame with one row for each test. Raises ImportError without pandas."""
+        """A pandas.DataFrame with one row for each test, by its number or, of several benches, by
+        bench and number. Raises ImportError without pandas."""
         pandas: Any = importlib.import_module("pandas")
         rows = self._rows()
         columns = list(rows[0]) if rows else list(self._columns)
-        return pandas.DataFrame(rows, columns=columns).set_index("number")
+        keys = [name for name in ("bench", "number") if name in columns]
+        return pandas.DataFrame(rows, columns=columns).set_index(keys if keys[1:] else keys[0])
 
     def _panels(self) -> List[Tuple[str, str, List[Dict[str, Any]]]]:
         """For each bench headline, note, tests."""

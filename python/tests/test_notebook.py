@@ -103,7 +103,10 @@ class Shown(unittest.TestCase):
             frame = shares.to_frame()["load"].map(len)
             self.assertEqual([frame[worker].sum() for worker in range(2)], shares.worker_loads)
             self.assertEqual(len(sheet.to_frame()), sheet.tests)
-            self.assertEqual(len(both.to_frame()), both.tests)
+            frame = both.to_frame()
+            self.assertEqual(frame.index.names, ["bench", "number"])
+            self.assertEqual([list(frame.loc[bench].index) for bench in both.benches],
+                             [[step["number"] for step in sheet] for sheet in both.sheets])
             self.assertEqual(list(order.to_frame()["load"].map(len))[0], 5)
 
 
