@@ -44,7 +44,7 @@ std::string html_formula(std::string_view latex, bool italics) {
       // The last of those that mean the same is the sign.
       const auto sign = std::find_if(signs.rbegin(), signs.rend(),
                                      [&](const auto& each) { return each.second == command; });
-      html += sign == signs.rend() ? html_text(command) : std::string(sign->first);
+      html += sign == signs.rend() ? html_text(command.substr(1)) : std::string(sign->first);
       const bool opens = command == "\\lceil" || command == "\\lfloor";
       if (opens && latex.substr(length).starts_with(' ')) {
         ++length;
@@ -385,7 +385,7 @@ class Formula {
       any = true;
     }
     if (!any) {
-      any = ceiling(depth);
+      any = ceiling(depth) || function(depth);
     }
     while (bracket(depth, any)) {
       seen_.joint = seen_.joint || any;
@@ -457,6 +457,16 @@ class Formula {
       }
     }
     return false;
+  }
+
+  // A function whose name is a word: gcd(k-1, m).
+  bool function(int depth) {
+    const Place before = here();
+    if (!literal("gcd", "\\gcd") || !bracket(depth, true)) {
+      return back(before);
+    }
+    seen_.joint = seen_.letter = true;
+    return true;
   }
 
   // "(k - 1)", or after something: what it is multiplied with, or the arguments of a call.

@@ -17,6 +17,7 @@ TEST(LatexProse, IsHtmlAndMarkdownToo) {
             "over <i>Z</i><sub>15</sub> by <i>x</i> ↦ <i>x</i> + 1");
   EXPECT_EQ(html_prose("x is where j, i.e. a block(s), took 2 s (y)"),
             "<i>x</i> is where <i>j</i>, i.e. a block(s), took 2 s (<i>y</i>)");
+  EXPECT_EQ(html_prose("(modulo gcd(k-1,m) = 2)"), "(modulo gcd(<i>k</i> − 1, <i>m</i>) = 2)");
   EXPECT_EQ(html_prose("2026-11-21, --time 2s"), "2026-11-21, --time 2s");
   EXPECT_EQ(markdown_prose("ab_c * [x]"), "ab\\_c \\* \\[x\\]");
   EXPECT_EQ(markdown_prose("i_x <= 3"), "i<sub>x</sub> ≤ 3");
@@ -40,6 +41,8 @@ TEST(LatexProse, MakesMathematicsOfWholeFormulas) {
             "$2 \\cdot n_{1} + n_{2} \\leq 3k = 12$ where $n_{j}$ elements");
   EXPECT_EQ(latex_prose("so k + m(b-1) ≥ 3v - 3k = 24: all"),
             "so $k + m(b - 1) \\geq 3v - 3k = 24$: all");
+  EXPECT_EQ(latex_prose("modulo gcd(k-1,m) = 2"), "modulo $\\gcd(k - 1, m) = 2$");
+  EXPECT_EQ(latex_prose("the gcd of k and m"), "the gcd of k and m");
   EXPECT_EQ(latex_prose("v = 7, k = 3.5."), "$v = 7$, $k = 3.5$.");
   EXPECT_EQ(latex_prose("x + (y"), "x + (y");
 }
