@@ -11,6 +11,7 @@ from typing import Any, Dict, List, Optional, Union
 from . import _core
 from ._given import day_of
 from ._made import Kind, Made, check_calls, fact, in_a_line, made
+from ._notebook import Prose, Shown
 from .designs import Design, design_of
 from .errors import BadInput
 
@@ -18,7 +19,7 @@ __all__ = ["add", "cell", "entries", "find"]
 _statuses = ("", "minimum", "best-known", "retracted")
 
 
-class Entry(Made):
+class Entry(Shown, Made):
     """A design of the catalog, with all that is said of it."""
 
     label: str = fact("Permanent; made of the parameters and the blocks alone.")
@@ -36,7 +37,6 @@ class Entry(Made):
     note: str = fact("What was said when it was added.")
     retracted: str = fact("Why it is no longer vouched for; empty if it is.")
 
-    def _kept(self) -> Any:
     if not typing.TYPE_CHECKING:  # Only for what is not there.
 
         def __getattr__(self, name):
@@ -46,6 +46,7 @@ class Entry(Made):
             self._facts = self._core.facts()
             return self._facts
 
+    def _kept(self) -> Any:
         return self._core.line()
 
     @classmethod
@@ -67,6 +68,15 @@ class Entry(Made):
 
     def __repr__(self) -> str:
         return f"<{self.label}>"
+
+    def _on_page(self) -> Any:
+        credit = ", ".join(self.credit[key] for key in ("who", "date") if self.credit.get(key))
+        rows = [("blocks", self.b), ("lower bound", self.lower_bound),
+                ("reason", Prose(self.reason)), ("status", self.status),
+                ("construction", self.recipe["construction"]), ("credit", credit),
+                ("references", self.cites), ("note", self.note), ("retracted", self.retracted)]
+        said = [row for row in rows if row[1] not in ("", [])]
+        return self.label, (), ("entry", "value"), said, len(said)
 
 
 def _entry(core: Any) -> Any:

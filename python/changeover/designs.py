@@ -24,7 +24,7 @@ from .pictures import Picture, PictureKind, Theme, picture_of
 Block = Tuple[int, ...]
 
 
-class Blocks(_core.Memory):
+class Blocks(Shown, _core.Memory):
     """Blocks in order: a read-only sequence of tuples of element numbers, and a buffer of shape (b,
     k) of unsigned 32-bit integers that NumPy wraps without a copy: numpy.asarray(blocks)."""
 
@@ -86,6 +86,10 @@ class Blocks(_core.Memory):
         return _blocks_again, (state, self.shape[1], zlib.crc32(state, self.shape[1]))
 
     __reduce__ = __reduce_ex__
+
+    def _on_page(self) -> Any:
+        rows = ((place, list(block)) for place, block in enumerate(self, 1))
+        return repr(self)[1:-1], (), ("block", "elements"), rows, len(self)
 
     def _view(self) -> memoryview:
         exporter: Any = self

@@ -8,10 +8,11 @@ from typing import Any, Dict, Iterable, List, Optional, Tuple
 from . import _core
 from ._given import is_whole, listed, share_of
 from ._made import Kind, Made, Progress, check_calls, count_of, fact, linear_unless_said, made
+from ._notebook import Prose, Shown
 from .designs import Design, design_of
 
 
-class SearchResult(Made):
+class SearchResult(Shown, Made):
     """What a search found before it ended; the best so far if it was stopped."""
 
     design: Optional[Design] = fact("The best design, verified, or None.")
@@ -30,8 +31,17 @@ class SearchResult(Made):
         found = "no design" if self.b is None else count_of(self.b, "block")
         return f"<SearchResult: {found}, at least {self.lower_bound}, {self.why_stopped}>"
 
+    def _on_page(self) -> Any:
+        lines = [Prose(line) for line in (self.how, self.reason) if line]
+        if self.minimum:
+            lines.append(Prose("proved: no design that was asked for has fewer blocks"))
+        title = repr(self)[len("<SearchResult: "):-1]
+        if self.design is None:
+            return title, lines, (), (), 0
+        return (title, lines, *self.design._rows())
 
-class Classification(Made):
+
+class Classification(Shown, Made):
     """All designs with a given number of blocks, up to isomorphism."""
 
     standard_forms: int = fact()
@@ -50,6 +60,12 @@ class Classification(Made):
     def __repr__(self) -> str:
         rest = "" if self.complete else ", not all"
         return f"<{count_of(self.classes, 'class', 'classes')}{rest}>"
+
+    def _on_page(self) -> Any:
+        lines = [f"{count_of(self.standard_forms, 'design')} in standard form, "
+                 f"{self.tight} of the classes tight"]
+        rows = sorted(self.group_orders.items())
+        return (repr(self)[1:-1], lines, ("order of the group", "classes"), rows, len(rows))
 
 
 def _elements(argument: str, elements: Any) -> List[int]:

@@ -17,7 +17,7 @@ import xml.etree.ElementTree as tree
 import zlib
 
 import changeover
-from changeover import _progress
+from changeover import _progress, cluster
 
 try:
     import pandas
@@ -108,6 +108,24 @@ class Shown(unittest.TestCase):
             self.assertEqual([list(frame.loc[bench].index) for bench in both.benches],
                              [[step["number"] for step in sheet] for sheet in both.sheets])
             self.assertEqual(list(order.to_frame()["load"].map(len))[0], 5)
+
+    def test_what_searches_found_and_what_is_kept(self):
+        found = changeover.search(9, 4, change=1, time=5)
+        proved = changeover.search(6, 3, 1, exact=True)
+        classes = changeover.classify(9, 4, 12, 1, "circular")
+        entry = changeover.catalog.cell(20, 5)[0]
+        run = cluster.simulate(items=200, room=20, workers=2, pair_seconds=0.001, item_bytes=9)
+        blocks = changeover.design(9, 4).blocks
+        for each, words in (
+            (found, "found"), (proved, "proved: no design"), (classes, "order of the group"),
+            (entry, "lower bound"), (run, "idle"), (blocks, "8 blocks of 4 elements"),
+        ):
+            page = each._repr_html_()
+            well_formed(page)
+            self.assertIn(words, page)
+            self.assertEqual(len(taken_apart(each._repr_latex_())), 1)
+        self.assertIn("<i>b</i> ≥", entry._repr_html_())
+        self.assertEqual(blocks._repr_html_().count("<tr>"), 1 + len(blocks))
 
 
 def taken_apart(latex):

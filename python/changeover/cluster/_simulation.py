@@ -14,7 +14,8 @@ from typing import (
     Any, Callable, Dict, Iterable, Iterator, List, Optional, SupportsIndex, Tuple, Union)
 
 from .. import _core
-from .._made import Made, Progress, check_calls, fact, made
+from .._made import Made, Progress, check_calls, count_of, fact, made
+from .._notebook import Shown
 from .._pairs_given import memory_of
 from ..errors import BadInput
 from ._engine import Event, Tell, tell_of
@@ -33,7 +34,7 @@ _most_exponent = 30.0  # a stretch is finished with probability exp(-30): never
 _too_short = "workers fail before they are done with a stretch"
 
 
-class Simulation(Made):
+class Simulation(Shown, Made):
     """The predicted result of a run on such a cluster."""
 
     seconds: float = fact("Until the last pair is done.")
@@ -61,6 +62,17 @@ class Simulation(Made):
         lost = f", {self.lost} lost" if self.lost else ""
         return (f"<cluster.Simulation: {self.workers} workers, {self.seconds:.4g} s (ideal "
                 f"{self.ideal_seconds:.4g} s), {self.bytes:.4g} bytes, idle {self.idle:.1%}{lost}>")
+
+    def _on_page(self) -> Any:
+        rows = [("seconds", f"{self.seconds:.4g}"), ("ideal seconds", f"{self.ideal_seconds:.4g}"),
+                *((name.replace("_", " "), getattr(self, name)) for name in (
+                    "pairs", "loads", "planned_loads", "bytes")),
+                *((name, f"{getattr(self, name):.1%}") for name in (
+                    "computing", "loading", "waiting", "idle", "wasted")),
+                *((name, getattr(self, name)) for name in (
+                    "lost", "retried", "stolen", "copied", "stretches"))]
+        return (f"a simulated run with {count_of(self.workers, 'worker')}", (),
+                ("figure", "value"), rows, len(rows))
 
 
 @dataclasses.dataclass(frozen=True)
