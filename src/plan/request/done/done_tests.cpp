@@ -1,9 +1,8 @@
-#include "plan/request/done_tests.hpp"
+#include "plan/request/done/done_tests.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -16,13 +15,13 @@
 #include "plan/job/bench_list.hpp"
 #include "plan/job/choices.hpp"
 #include "plan/job/part_finder.hpp"
-#include "plan/job/setups/first_noted.hpp"
 #include "plan/job/setups/hidden_tests.hpp"
 #include "plan/job/setups/results.hpp"
 #include "plan/job/setups/setup_list.hpp"
 #include "plan/job/setups/step_numbers.hpp"
-#include "plan/model/model_text.hpp"
 #include "plan/request/asked_benches.hpp"
+#include "plan/request/done/done_places.hpp"
+#include "plan/request/done/lost_columns.hpp"
 #include "plan/request/workbook/bench_tabs.hpp"
 #include "plan/request/workbook/sheets_agree.hpp"
 
@@ -30,16 +29,6 @@ namespace changeover {
 namespace {
 
 constexpr std::size_t unread_shown = 10;
-
-// A number that no column of parts has, though one has a higher number.
-std::optional<std::uint64_t> missing_place(const std::vector<DonePlace>& places) {
-  for (std::uint64_t number = 1; number <= places.size(); ++number) {
-    if (std::ranges::find(places, number, &DonePlace::number) == places.end()) {
-      return number;
-    }
-  }
-  return std::nullopt;
-}
 
 Block in_order(Block setup) {
   std::ranges::sort(setup);
@@ -101,137 +90,6 @@ void leave_out(const DoneOptions& options, DoneList& list) {
   }
 }
 
-// The index of the place with this number in a list, added if necessary.
-std::size_t index_of(std::vector<DonePlace>& places, const DonePlace& place) {
-  const auto found = std::ranges::find_if(places, [&](const DonePlace& each) {
-    return each.number == place.number && each.slot == place.slot;
-  });
-  const auto index = static_cast<std::size_t>(found - places.begin());
-  if (found == places.end()) {
-    places.push_back(place);
-  }
-  return index;
-}
-
-// The index of the place of a parameter, by its name: the numbers of those that the model has no
-// more differ by sheet. Added if necessary, with a separate number.
-std::size_t index_of_parameter(std::vector<DonePlace>& places, DonePlace place) {
-  if (place.slot.empty()) {
-    return index_of(places, place);
-  }
-  const auto found = std::ranges::find_if(
-      places, [&](const DonePlace& each) { return same_word(each.slot, place.slot); });
-  const auto index = static_cast<std::size_t>(found - places.begin());
-  if (found == places.end()) {
-    std::uint64_t last = 0;
-    for (const DonePlace& each : places) {
-      last = std::max(last, each.number);
-    }
-    if (std::ranges::find(places, place.number, &DonePlace::number) != places.end()) {
-      place.number = last + 1;
-    }
-    places.push_back(std::move(place));
-  }
-  return index;
-}
-
-// What a row has by place, moved to other places.
-template <class T>
-std::vector<T> moved(std::vector<T> parts, const std::vector<std::size_t>& to, std::size_t places) {
-  std::vector<T> all(places);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i] != T()) {
-      all[to[i]] = std::move(parts[i]);
-    }
-  }
-  return all;
-}
-
-// Appends a list: places with the same headings are the same.
-void append(DoneList& list, DoneList more, bool is_of_model) {
-  const auto to = each_of<std::size_t>(more.places, [&](const DonePlace& place) {
-    return is_of_model ? index_of_parameter(list.places, place) : index_of(list.places, place);
-  });
-  for (DoneRow& row : list.rows) {
-    row.in_place.resize(list.places.size());
-    row.written.resize(list.places.size());
-  }
-  for (DoneRow& row : more.rows) {
-    row.in_place = moved(std::move(row.in_place), to, list.places.size());
-    row.written = moved(std::move(row.written), to, list.places.size());
-    list.rows.push_back(std::move(row));
-  }
-  std::ranges::move(more.notes, std::back_inserter(list.notes));
-  for (std::string& name : more.gone) {
-    if (std::ranges::find(list.gone, name) == list.gone.end()) {
-      list.gone.push_back(std::move(name));
-    }
-  }
-}
-
-// Keeps a test for the sheet of those that were done; of a test without places, its parts and those
-// that are gone, one after another.
-void record_test(DoneRecord& record, std::vector<DonePlace> places, const DoneRow& test,
-                 const Job& job, const std::string& bench) {
-  std::vector<std::string> parts = test.written;
-  if (places.empty()) {
-    parts = each_of<std::string>(test.setup, [&](Element x) { return job.names[x]; });
-    parts.insert(parts.end(), test.gone.begin(), test.gone.end());
-    while (places.size() < parts.size()) {
-      places.push_back({.number = places.size() + 1});
-    }
-  }
-  DoneRecord::Test& kept = record.tests.emplace_back();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::size_t index = index_of(record.places, places[i]);
-    kept.parts.resize(std::max(kept.parts.size(), index + 1));
-    kept.parts[index] = parts[i];
-  }
-  kept.result = test.result.empty() ? "done" : test.result;
-  kept.notes = test.notes;
-  kept.bench = bench;
-  kept.step = test.step;
-}
-
-// The places of the bench after the test from which the plan continues, with their parts; without
-// slots, no more than parts fit.
-std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, const Job& job,
-                                       std::uint64_t room) {
-  const bool slots_are_named =
-      std::ranges::any_of(list.places, [](const DonePlace& place) { return !place.slot.empty(); });
-  const auto slot_of = [&](Element x) { return job.slots.empty() ? no_slot : job.slot_of[x]; };
-  std::vector<MountedPlace> places;
-  for (std::size_t i = 0; i < list.places.size(); ++i) {
-    const DonePlace& column = list.places[i];
-    const auto& part = list.rows[test].in_place.at(i);
-    const auto named = std::ranges::find(job.slots, column.slot, &Slot::name);
-    const bool is_known = column.slot.empty() ? job.slots.empty() || slots_are_named || part
-                                              : named != job.slots.end() || part;
-    const bool is_there =
-        std::ranges::find(places, column.number, &MountedPlace::number) != places.end();
-    if (!is_known || is_there || column.number == 0) {
-      continue;  // of a slot that no longer exists
-    }
-    MountedPlace place{.number = column.number};
-    if (!column.slot.empty() && named != job.slots.end()) {
-      place.slot = static_cast<std::uint32_t>(named - job.slots.begin());
-    } else if (part && !(column.slot.empty() && slots_are_named)) {
-      place.slot = slot_of(*part);
-    }
-    if (part && slot_of(*part) == place.slot &&
-        std::ranges::find(job.start, *part) != job.start.end()) {
-      place.part = part;
-    }
-    places.push_back(place);
-  }
-  for (std::size_t i = places.size(); i-- > 0 && places.size() > room && job.slots.empty();) {
-    if (!places[i].part) {
-      places.erase(places.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-  }
-  return places;
-}
-
 // Removes tests from a job, list by list.
 class DoneTaker {
  public:
@@ -272,14 +130,14 @@ class DoneTaker {
       if (lists.size() > 1 && !is_of_earlier_tests(*inputs[i])) {
         begins.push_back(list_.rows.size());
       }
-      append(list_, std::move(lists[i]), job_->model != nullptr);
+      append_done(list_, std::move(lists[i]), job_->model != nullptr);
     }
     if (put_sheets_in_order(list_.rows, begins)) {
       list_.notes.push_back(
           name_ + ": its sheets are not in the order of their steps; the tests are taken in it");
     }
     leave_out(*options_, list_);
-    note_columns_that_may_lack();
+    note_lost_columns(list_, *job_, !benches_->empty(), name_);
     all_ = list_.rows.size();
     has_results_ = list_.has_results();
     if (options_->first.value_or(0) > all_) {
@@ -292,90 +150,6 @@ class DoneTaker {
                                                                 : PartFinder(*options_->names);
       throw BadInput(fmt::format("{}: {}", name_, finder.complaint(list_.gone.front())));
     }
-  }
-
-  // Every set-up has a part in such a slot, and what stays mounted, unless that is new.
-  void note_columns_that_may_lack() {
-    const auto note = [&](const std::string& what) {
-      list_.notes.push_back(fmt::format(
-          "{}: {}; if a column was deleted, put it back: what was tested with it does not count",
-          name_, what));
-    };
-    const bool are_named = std::ranges::any_of(
-        list_.places, [](const DonePlace& place) { return !place.slot.empty(); });
-    for (const Slot& slot : job_->slots) {
-      if (are_named && job_->model == nullptr && slot.least > 0 &&
-          std::ranges::find(list_.places, slot.name, &DonePlace::slot) == list_.places.end()) {
-        const std::string what = fmt::format("no column has the parts in slot {}", slot.name);
-        if (const auto missing = missing_place(list_.places)) {
-          throw BadInput(fmt::format("{}: {}, and none is called slot_{}; put that column back",
-                                     name_, what, *missing));
-        }
-        note(what);
-      }
-    }
-    if (are_named && job_->model == nullptr && benches_->empty()) {
-      note_slots_that_lack();
-    }
-    for (const Element x : job_->mounted) {
-      if (!list_.places.empty() && std::ranges::none_of(list_.rows, [&](const DoneRow& row) {
-            return contains(row.setup, x);
-          })) {
-        note(fmt::format("no test has {}, which stays mounted", shown(job_->names[x])));
-      } else if (const auto row = row_that_lost(x)) {
-        list_.notes.push_back(fmt::format(
-            "{}: the test in row {} has an empty cell and lacks {}, which stays "
-            "mounted; if it was there, write it: what was tested with it does not count",
-            name_, list_.rows[*row].line, shown(job_->names[x])));
-      }
-    }
-  }
-
-  // A done test with fewer parts in a slot than every set-up has, where its cells are empty.
-  void note_slots_that_lack() {
-    FirstNoted lacking;
-    for (const DoneRow& row : list_.rows) {
-      if (!was_run(row.result) || row.written.size() != list_.places.size()) {
-        continue;
-      }
-      for (const Slot& slot : job_->slots) {
-        std::uint64_t there = 0;
-        std::optional<std::size_t> empty;
-        for (std::size_t i = 0; i < row.written.size(); ++i) {
-          if (list_.places[i].slot == slot.name) {
-            there += row.written[i].empty() ? 0U : 1U;
-            empty = row.written[i].empty() && !empty ? std::optional(i) : empty;
-          }
-        }
-        if (empty && there < slot.least) {
-          lacking.add([&] {
-            return fmt::format(
-                "{}: the test in row {} has {} in slot {}, which needs {}, and an empty cell under "
-                "slot_{} {}",
-                name_, row.line, count_of(there, "part"), slot.name, slot.least,
-                list_.places[*empty].number, slot.name);
-          });
-        }
-      }
-    }
-    if (lacking) {
-      list_.notes.push_back(
-          lacking.said("other case") +
-          "; write the part that was there: what was tested with it does not count");
-    }
-  }
-
-  // The first test with a result and an empty place that lacks a part, where others have it.
-  [[nodiscard]] std::optional<std::size_t> row_that_lost(Element x) const {
-    for (std::size_t i = 0; i < list_.rows.size() && benches_->empty(); ++i) {
-      const DoneRow& row = list_.rows[i];
-      const auto is_empty = [](const std::string& text) { return text.empty(); };
-      if (!row.result.empty() && !contains(row.setup, x) &&
-          std::ranges::any_of(row.written, is_empty)) {
-        return i;
-      }
-    }
-    return std::nullopt;
   }
 
   // The bench of a test; nullopt if unknown.
