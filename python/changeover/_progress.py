@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import sys
-from typing import Any, Dict
+from typing import Any, Dict, Optional, Tuple
 
 
 class Bar:
@@ -27,22 +27,22 @@ class Bar:
     def _begin(self, said: Dict[str, Any]) -> Any:
         try:
             bars: Any = importlib.import_module("tqdm.auto")
-            self._bar = bars.tqdm(unit=f" {said.get('unit') or 'steps'}", unit_scale=True,
-                                  leave=False)
+            self._bar = bars.tqdm(unit=f" {_measure(said)[2]}", unit_scale=True, leave=False)
         except Exception:
             return self._show_line
         return self._show_bar
 
     def _show_bar(self, said: Dict[str, Any]) -> None:
-        self._bar.total = said.get("of")
-        self._bar.n = int(said.get("steps") or 0)
+        self._bar.n, self._bar.total, _ = _measure(said)
         self._bar.set_description_str(", ".join(_words(said)), refresh=True)
 
     def _show_line(self, said: Dict[str, Any]) -> None:
         words = _words(said)
-        if said.get("of"):
-            words.append(f"{said.get('steps') or 0} of {said['of']} {said.get('unit') or 'steps'}")
-        words.append(f"{float(said.get('elapsed') or 0):.0f} s")
+        done, total, unit = _measure(said)
+        if total is not None:
+            words.append(f"{done} of {total} {unit}")
+        if unit != "s":
+            words.append(f"{float(said.get('elapsed') or 0):.0f} s")
         line = ", ".join(words)
         sys.stderr.write("\r" + line.ljust(self._width))
         sys.stderr.flush()
@@ -57,6 +57,15 @@ class Bar:
                 sys.stderr.flush()
         except Exception:
             pass
+
+
+def _measure(said: Dict[str, Any]) -> Tuple[int, Optional[int], str]:
+    """How far it is, of how much, if that is known, and the unit: steps, or the seconds that a
+    search has."""
+    if said.get("of") or said.get("left") is None:
+        return int(said.get("steps") or 0), said.get("of") or None, said.get("unit") or "steps"
+    elapsed = float(said.get("elapsed") or 0)
+    return int(elapsed), round(elapsed + said["left"]), "s"
 
 
 def _words(said: Dict[str, Any]) -> list[str]:

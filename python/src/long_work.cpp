@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -31,6 +32,16 @@ py::dict as_dict(const Progress& progress) {
   said["missing"] = progress.missing;
   said["elapsed"] = progress.elapsed.count();
   said["left"] = progress.left ? py::cast(progress.left->count()) : py::none();
+  return said;
+}
+
+// What was said last, at a later time.
+Progress later(Progress said, std::chrono::duration<double> elapsed) {
+  if (said.left) {
+    const auto zero = std::chrono::duration<double>::zero();
+    said.left = std::max(zero, *said.left - (elapsed - said.elapsed));
+  }
+  said.elapsed = elapsed;
   return said;
 }
 
@@ -152,6 +163,7 @@ LongWork::LongWork(LongOptions options) : options_(std::move(options)) {
 
 void LongWork::run(const std::function<void(RunControl&)>& work) {
   constexpr auto between_looks = std::chrono::milliseconds(50);
+  constexpr auto between_words = std::chrono::seconds(1);
   Shared shared;
   RunControl control(settings_of(options_, shared));
   AllWork::instance().begin(control);
@@ -190,7 +202,8 @@ void LongWork::run(const std::function<void(RunControl&)>& work) {
     throw MissingResource(
         "a thread cannot be started; end other programs or raise the limit of processes");
   }
-  std::exception_ptr raised;  // by a signal or the callback
+  std::exception_ptr raised;       // by a signal or the callback
+  std::optional<Progress> before;  // what was said last
   for (bool done = false; !done;) {
     std::optional<Progress> latest;
     {
@@ -200,6 +213,11 @@ void LongWork::run(const std::function<void(RunControl&)>& work) {
       done = shared.done;
       latest = std::exchange(shared.latest, std::nullopt);
     }
+    // Some work says nothing for long: then time goes on, at least.
+    if (!latest && !done && before && control.elapsed() - before->elapsed >= between_words) {
+      latest = later(*before, control.elapsed());
+    }
+    before = latest ? latest : before;
     try {
       if (latest && !raised && !interrupted_) {
         const py::dict said = as_dict(*latest);

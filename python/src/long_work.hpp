@@ -6,9 +6,10 @@
 //     work.interrupted();                    // Ctrl-C: what was found so far is kept
 //
 // The work runs on a separate thread and listens to its control; this thread looks for signals
-// twenty times a second and hands progress on. When Python ends, the work of other threads is ended
-// before. A callback that raises stops the work, and what it raised arrives where the work was
-// called.
+// twenty times a second and hands progress on. After a second without progress it says again what
+// was said last, with the time as it is by then. When Python ends, the work of other threads is
+// ended before. A callback that raises stops the work, and what it raised arrives where the work
+// was called.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -99,6 +99,16 @@ class Searches(unittest.TestCase):
         self.assertEqual(len(told), 1)
         self.assertIn("phase", told[0])
 
+    def test_work_that_says_little_goes_on_in_time(self):
+        told = []
+        sheet = changeover.plan(30, 4, test_cost=1, change_cost=1, time=4, progress=told.append)
+        self.assertEqual(sheet.why_stopped, "time limit")
+        times = [said["elapsed"] for said in told]
+        self.assertEqual(times, sorted(times))
+        self.assertGreater(times[-1], 2)
+        for said in told:
+            self.assertAlmostEqual(said["elapsed"] + said["left"], 4, places=1)
+
     def test_other_threads_run_meanwhile(self):
         began = threading.Event()
 

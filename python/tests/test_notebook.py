@@ -533,6 +533,19 @@ class Progress(unittest.TestCase):
             bar.close()
         self.assertEqual(said.getvalue().split("\r")[1], "computing, 7 of 28 pairs, 3 s")
 
+    def test_a_search_with_a_time_says_how_much_of_it_is_over(self):
+        said = {"phase": "local search 1 of 2", "steps": 9, "unit": "moves", "elapsed": 3.2}
+        bar = _progress.Bar()
+        with contextlib.redirect_stderr(io.StringIO()) as line, without_tqdm():
+            bar({**said, "left": 56.8})
+            bar.close()
+        self.assertEqual(line.getvalue().split("\r")[1], "local search 1 of 2, 3 of 60 s")
+        bar = _progress.Bar()
+        with contextlib.redirect_stderr(io.StringIO()) as line, without_tqdm():
+            bar({**said, "left": None})
+            bar.close()
+        self.assertEqual(line.getvalue().split("\r")[1], "local search 1 of 2, 3 s")
+
     def test_what_cannot_be_shown_costs_no_result(self):
         class Full(io.StringIO):
             def write(self, _text):
