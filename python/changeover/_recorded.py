@@ -6,8 +6,9 @@ import io
 import itertools
 import json
 from array import array
-from typing import Any, Dict, Iterable, Iterator, List, Optional, Set, Tuple
+from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Set, Tuple
 
+from . import _core
 from .errors import BadInput
 
 Step = Tuple[List[int], List[int]]
@@ -23,21 +24,33 @@ def _pairs_of(ends: bytes) -> List[Tuple[int, int]]:
     return list(zip(items[::2], items[1::2]))
 
 
+class Asked(NamedTuple):
+    """What an order is the answer to: the request, the items of listed pairs as bytes, and the room
+    on the accelerator."""
+
+    request: Dict[str, Any]
+    ends: Optional[bytes]
+    fast_room: Optional[int]
+
+
 class Recorded:
     """The pickled form of an order that took a search: its steps as they were written. `counts` is
     how many of them load, by worker: where changed items are stored, one more may only store.
     `pairs` is what work() has and the text has not, or in another order: by worker and step, the
     bytes of the items of pairs and of overlap."""
 
-    def __init__(self, text: str, counts: Tuple[int, ...], pairs: Optional[PairBytes]) -> None:
+    def __init__(self, asked: Asked, text: str, counts: Tuple[int, ...],
+                 pairs: Optional[PairBytes]) -> None:
+        self._asked = asked
         self._text = text
         self._counts = counts
         self._pairs = pairs
 
     @classmethod
-    def of(cls, core: Any, asked: Dict[str, Any]) -> Recorded:
+    def of(cls, core: Any, about: Asked) -> Recorded:
         if isinstance(core, cls):
             return core
+        asked = about.request
         workers = range(asked.get("workers", 1))
         counts = tuple(sum(1 for _ in core.steps(worker)) for worker in workers)
         pairs = None
@@ -45,18 +58,24 @@ class Recorded:
         if (asked.get("write_back") and not are_written) or asked.get("shuffle"):
             pairs = [[(_bytes_of(step[5]), _bytes_of(step[6])) for step in core.full_steps(worker)]
                      for worker in (workers if "workers" in asked else (None,))]
-        return cls(core.in_format("jsonl"), counts, pairs)
+        return cls(about, core.in_format("jsonl"), counts, pairs)
 
     def state(self) -> Tuple[str, Tuple[int, ...], Optional[PairBytes]]:
         return self._text, self._counts, self._pairs
 
     def in_format(self, format: str) -> str:
-        if format != "jsonl":
-            raise BadInput(
-                "an order from a pickle has only its steps, nothing for Marius or COLMAP; "
-                "plan it again"
-            )
-        return self._text
+        if format == "jsonl":
+            return self._text
+        asked = self._asked.request
+        # Which of several workers computes a pair that several have is not found again.
+        is_split = "workers" in asked and not asked.get("disjoint")
+        if is_split and not asked.get("new_pairs"):
+            raise BadInput("this order from a pickle does not have the pairs of each worker; plan "
+                           "it again, with new_pairs=True")
+        text: str = _core.recorded_in_format(
+            json.dumps(asked), self._asked.ends, self._asked.fast_room,
+            self._as_written(), is_split, format)
+        return text
 
     def fault(self) -> str:
         return ""
@@ -66,6 +85,12 @@ class Recorded:
             step = json.loads(line)
             if worker is None or step.get("worker", 0) == worker:
                 yield step
+
+    def _as_written(self) -> Iterator[Tuple[Any, ...]]:
+        for step in itertools.islice(self._lines(None), sum(self._counts)):
+            yield (step["step"], step.get("worker", 0), step["evict"], step["load"], [],
+                   step.get("new_pairs", []), [], 0, step.get("epoch", 1),
+                   step.get("fast_evict", []), step.get("fast_load", []))
 
     def steps(self, worker: int) -> Iterator[Step]:
         return ((step["evict"], step["load"])

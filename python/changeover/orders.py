@@ -19,7 +19,7 @@ from ._made import (
     Made, Progress, check_calls, count_of, fact, fact_names, frozen, in_a_line, made)
 from ._notebook import Prose, Shown
 from ._pairs_given import cost_rows, given_ends, group_rows, memory_of, size_rows
-from ._recorded import Recorded, Step
+from ._recorded import Asked, Recorded, Step
 from .errors import BadInput, InternalError
 from .pictures import Picture, Theme, stays_of
 
@@ -56,7 +56,7 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
     facts, asked, ends, text = pickle.loads(state)
     if isinstance(text, str):
         raise BadInput("another version of changeover pickled this load order; create it again")
-    core: Any = None if text is None else Recorded(*text)
+    core: Any = None if text is None else Recorded(Asked(asked, ends, facts["fast_room"]), *text)
     if core is None:
         core = _core.Loads.planned(json.dumps({**asked, "verify_beside": False}), ends, None)
         again = _facts(core, kind)
@@ -172,7 +172,8 @@ class _Loads(Shown, Made):
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
         facts = dict(self._facts)
         asked, ends, searched = facts.pop("_asked")
-        recorded = Recorded.of(self._core, asked).state() if searched else None
+        about = Asked(asked, ends, self.fast_room)
+        recorded = Recorded.of(self._core, about).state() if searched else None
         state = pickle.dumps((facts, asked, ends, recorded), 4)
         return _made_again, (type(self), state, zlib.crc32(state))
 

@@ -9,6 +9,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "bind.hpp"
@@ -21,6 +23,8 @@
 #include "gil.hpp"
 #include "loadorder/order/searched.hpp"
 #include "loadorder/show/loads_answer.hpp"
+#include "loadorder/show/marius_writer.hpp"
+#include "loadorder/show/step_writer.hpp"
 #include "long_work.hpp"
 #include "memory.hpp"
 
@@ -306,6 +310,103 @@ Loads planned(const std::string& document, const std::optional<py::bytes>& pairs
   return loads;
 }
 
+// The steps of an order that a pickle has.
+class RecordedSteps final : public StepSource {
+ public:
+  explicit RecordedSteps(std::vector<Step> steps) : steps_(std::move(steps)) {}
+
+  bool next(Step& step) override {
+    if (read_ == steps_.size()) {
+      return false;
+    }
+    step = steps_[read_++];
+    return true;
+  }
+
+ private:
+  std::vector<Step> steps_;
+  std::size_t read_ = 0;
+};
+
+// (number, worker, evict, load, store, pairs, overlap, late, epoch, fast_evict, fast_load), as
+// next_full() has it
+Step recorded_step(const py::handle& given) {
+  const auto step = given.cast<py::tuple>();
+  std::size_t at = 0;
+  const auto take = [&](auto& field) {
+    field = step[at++].cast<std::remove_reference_t<decltype(field)>>();
+  };
+  Step read;
+  take(read.number);
+  take(read.worker);
+  take(read.evict);
+  take(read.load);
+  take(read.store);
+  take(read.compute);
+  take(read.overlap);
+  take(read.late);
+  take(read.epoch);
+  take(read.fast_evict);
+  take(read.fast_load);
+  return read;
+}
+
+// An order that a pickle has, for COLMAP or Marius, as LoadsAnswer::write() has it. Where the steps
+// are without pairs, these are found again; `fast_room` is that of the order.
+std::string recorded_in_format(const std::string& document, const std::optional<py::bytes>& pairs,
+                               std::optional<std::uint64_t> fast_room, const py::iterable& steps,
+                               bool has_pairs, const std::string& format) {
+  const LoadRequest request = load_request(document, "", Door::python);
+  const std::string_view ends = pairs ? static_cast<std::string_view>(*pairs) : std::string_view();
+  const CheckedLoads asked =
+      checked_loads(request, Door::python, pairs ? pairs_in(request.items, ends) : nullptr);
+  check_format(asked, format);
+  std::vector<Step> read;
+  for (const py::handle step : steps) {
+    read.push_back(recorded_step(step));
+    if (!has_pairs) {
+      read.back().compute.clear();
+    }
+  }
+  return stoppable([&] {
+    ScheduleRules rules{.items = asked.items(),
+                        .room = asked.room(),
+                        .fast_room = fast_room,
+                        .lockstep = request.disjoint ? request.workers.value_or(1) : 0,
+                        .wanted = asked.wanted(),
+                        .compute = ComputeRules{},
+                        .sizes = asked.sizes(),
+                        .epochs = request.epochs.value_or(1)};
+    if (request.shuffle) {
+      rules.compute->shuffle = request.seed.value_or(1);
+    }
+    if (request.spread) {
+      rules.compute->spread = request.seed.value_or(1);
+    }
+    const bool is_marius = format == "marius";
+    rules.compute->ordered = rules.compute->self = is_marius;
+    std::unique_ptr<StepSource> source = std::make_unique<RecordedSteps>(std::move(read));
+    if (!has_pairs) {
+      source = std::make_unique<StepWork>(std::move(source), rules);
+    }
+    StringSink sink;
+    if (is_marius) {
+      LoadOrderFacts facts;
+      facts.items = rules.items;
+      facts.room = rules.room;
+      facts.wanted = rules.wanted;
+      write_steps_for_marius(facts, *source, sink);
+    } else {
+      StepWriter writer(sink, format, nullptr, {});
+      for (Step step; source->next(step);) {
+        writer.write(step);
+      }
+      writer.end();
+    }
+    return sink.text();
+  });
+}
+
 // Says which pair compute() was given: as a note of the exception, where Python has notes (3.11).
 void note_pair(py::error_already_set& fault, const PairWork& pair) {
   if (py::hasattr(fault.value(), "add_note")) {
@@ -469,6 +570,7 @@ void bind_loads(py::module_& module) {
                      : self.one()->facts().lockstep == 0 ? self.one()->stream()
                                                          : self.one()->stream(worker)};
       });
+  module.def("recorded_in_format", &recorded_in_format);
   module.attr("most_items") = most_items;
   module.def("load_request_json",
              [](const std::string& document) { return to_json(load_request(document)); });

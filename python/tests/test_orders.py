@@ -18,6 +18,17 @@ def pairs_of(setup):
     return {frozenset(pair) for pair in itertools.combinations(setup, 2)}
 
 
+def in_formats(order):
+    """What COLMAP and Marius are given, or why they cannot be."""
+    said = []
+    for write in ("for_colmap", "for_marius"):
+        try:
+            said.append(getattr(order, write, str)())
+        except changeover.BadInput as fault:
+            said.append(str(fault))
+    return said
+
+
 class Loads(unittest.TestCase):
     def check(self, order, wanted, room):
         memory, met, loads = set(), set(), 0
@@ -190,6 +201,13 @@ class Orders(unittest.TestCase):
             changeover.load_order(20, 5, time=0.1, write_back=True, prefetch=True),
             changeover.load_order(20, 5, time=0.1, write_back=True, workers=3, disjoint=True),
             changeover.load_order(20, 5, time=0.1, workers=3, spread=True, shuffle=True),
+            changeover.load_order(20, 5, time=0.1, shuffle=True, new_pairs=True),
+            changeover.load_order(20, 5, time=0.1, epochs=2, spread=True),
+            changeover.load_order(20, 5, time=0.1, workers=3, new_pairs=True),
+            changeover.load_order(20, 5, time=0.1, workers=3, disjoint=True),
+            changeover.load_order(20, 8, fast_room=5, time=0.1),
+            changeover.load_order(None, 3, time=0.1, pairs=[(0, 4), (4, 2), (2, 1), (2, 3)]),
+            changeover.load_order(None, sizes=[3, 4, 5, 6, 7], memory=14, time=0.1),
             changeover.load_order(30, 7, verify_beside=True),
             changeover.load_order(30, 7, verify_beside=True, time=0.1),
         ]
@@ -200,6 +218,7 @@ class Orders(unittest.TestCase):
             self.assertEqual(copy.deepcopy(again), each)
             self.assertEqual(again.to_json().splitlines()[1:], each.to_json().splitlines()[1:])
             self.assertEqual(again.loads, each.loads)
+            self.assertEqual(in_formats(again), in_formats(each))
             if isinstance(each, changeover.LoadOrder):
                 self.assertEqual(list(again), list(each))
                 self.assertEqual(len(again), len(list(again)))
@@ -214,6 +233,12 @@ class Orders(unittest.TestCase):
             call, (kind, state, checksum) = each.__reduce_ex__(4)
             with self.assertRaisesRegex(changeover.BadInput, "is damaged"):
                 call(kind, state[:-1] + b"x", checksum)
+
+    def test_which_worker_has_a_pair_is_not_found_again(self):
+        order = changeover.load_order(20, 5, time=0.1, workers=3)
+        self.assertEqual(len(order.for_colmap().split()), 380)
+        with self.assertRaisesRegex(changeover.BadInput, "plan it again, with new_pairs=True$"):
+            pickle.loads(pickle.dumps(order)).for_colmap()
 
     def test_what_was_asked_is_a_document(self):
         for asked in (
