@@ -134,7 +134,7 @@ async function foot(): Promise<void> {
         ? [
             'A copy for reading; ',
             h('a', { href: link(get.path) }, 'the program'),
-            ' checks, plans and searches, too.',
+            ' plans and searches, too.',
           ]
         : 'Everything on this page comes from this machine.',
     ),

@@ -8,6 +8,7 @@ import { extname, join } from 'node:path';
 import { gunzipSync } from 'node:zlib';
 import { look, program, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
+import { load } from './support/source.mjs';
 import { served, test } from './support/tests.mjs';
 
 const types = {
@@ -231,9 +232,62 @@ test('what the copy does not have is said', async (explorer) => {
   await none.close();
 });
 
+test('lists are verified by the page itself, as by the program', async (explorer) => {
+  const page = await explorer.open('#/verify?example=good');
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  await page.locator('.verify-citation', { hasText: 'best known design' }).waitFor();
+  await look(page, 'export-verify');
+  await page.goto(page.url().replace(/#.*/, '#/verify?example=pairs'));
+  await page.getByRole('heading', { name: '✗ Not a design' }).waitFor();
+  await page.locator('.to-copy', { hasText: 'changeover search --repair FILE' }).waitFor();
+  await page.goto(page.url().replace(/#.*/, '#/verify?example=typing'));
+  await page.getByRole('alert').filter({ hasText: 'block 4 has 4 twice' }).waitFor();
+
+  const { verifyAlone } = await load('pages/verify/alone.ts');
+  const whole = spawnSync(program, ['design', '20', '5', '--format', 'json'], {
+    encoding: 'utf8',
+  }).stdout;
+  const plain = '1 3 7 8\n2 5 7 8\n0 2 3 8\n2 3 4 5\n1 2 3 6\n0 1 5 6\n0 1 4 7\n4 6 7 8\n';
+  const ring = 'a b c\nb c d\nc d e\nd e a\ne a b\n';
+  let compared = 0;
+  for (const [text, asked] of [
+    [whole, {}],
+    [whole, { kind: 'linear' }],
+    [plain, {}],
+    [plain, { kind: 'circular' }],
+    [plain, { v: '10' }],
+    [plain.replace('0 1 5 6\n0 1 4 7', '0 1 4 7\n0 1 5 6'), {}],
+    [plain.replaceAll('4', '40').replace('1 2 3 6', '1 2 3 x'), {}],
+    [ring, {}],
+    [ring, { kind: 'circular' }],
+    [ring, { change: '2', v: '6' }],
+    ['0 1 2 9\n0 1 3 9\n0 2 3 9\n0 4 1 9\n', { kind: 'circular' }],
+    [`# changeover design v=5 change=1 kind=circular\n# labels: e d c b a\n${ring}`, {}],
+    ['one two three\n', {}],
+  ]) {
+    const alone = verifyAlone(text, { v: '', change: '', kind: '', ...asked });
+    const options = Object.entries(asked).flatMap(([name, value]) =>
+      name === 'kind' ? [`--${value}`] : [name === 'v' ? '-v' : `--${name}`, value],
+    );
+    const { stdout, stderr } = spawnSync(program, ['verify', '-', '--json', ...options], {
+      input: text,
+      encoding: 'utf8',
+    });
+    const said = JSON.parse(stdout || stderr);
+    // A page knows fewer bounds.
+    assert.ok(alone.verdict.lower_bound <= said.verdict.lower_bound, text);
+    const { lower_bound, minimum } = said.verdict;
+    assert.deepEqual({ ...alone.verdict, lower_bound, minimum }, said.verdict, text);
+    assert.deepEqual(alone.details, said.details, `${text}${options}`);
+    assert.deepEqual(alone.names_among_numbers, said.names_among_numbers, text);
+    ++compared;
+  }
+  assert.equal(compared, 13);
+});
+
 test('pages that need the program say how to get it', async (explorer) => {
   const page = await explorer.open();
-  for (const name of ['Verify', 'Plan', 'Load order', 'Search']) {
+  for (const name of ['Plan', 'Load order', 'Search']) {
     await page.locator('nav a', { hasText: name }).click();
     await page.getByRole('heading', { name, level: 1 }).waitFor();
     await settled(page);

@@ -281,13 +281,12 @@ export const home: Page = {
           h(
             'ul',
             { class: 'plain-list' },
-            !frozen &&
-              h(
-                'li',
-                {},
-                h('a', { href: link('verify') }, 'Verify'),
-                ' a list of blocks of your own',
-              ),
+            h(
+              'li',
+              {},
+              h('a', { href: link('verify') }, 'Verify'),
+              ' a list of blocks of your own',
+            ),
             !frozen &&
               h(
                 'li',

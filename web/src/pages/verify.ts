@@ -6,9 +6,12 @@ import { bytes, changes, kinds } from '../lib/words';
 import { command } from '../parts/command';
 import { asText } from '../parts/downloads';
 import { chosenExample, leadToResult } from '../parts/lead';
-import { about } from '../shell/about';
+import { cellDetail, isHeld } from '../lib/source';
+import { about, isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
+import { toCopy } from './get';
 import { blockList, defects } from './verify/blocks';
+import type { Declared } from './verify/alone';
 import { check, type Report } from './verify/check';
 import { citation } from './verify/citation';
 import { examples } from './verify/examples';
@@ -58,6 +61,32 @@ function whatComes(): Child[] {
     ),
     h('p', {}, 'On the command line: ', command('changeover verify FILE')),
   ];
+}
+
+/** The best lower bound of a static copy, where it has the cell: the worker knows simple ones. */
+async function takeKeptBound({ answer, blocks }: Report, signal: AbortSignal): Promise<void> {
+  const { v, k, change, kind } = blocks;
+  const cell = { v, k, change, kind };
+  if (!(await isHeld(cell))) {
+    return;
+  }
+  const [best] = (await cellDetail(cell, signal)).bounds;
+  if (best && best.blocks > answer.verdict.lower_bound) {
+    answer.bound = best;
+    answer.verdict.lower_bound = best.blocks;
+    answer.verdict.minimum = answer.valid && best.blocks === blocks.b ? 'proved' : 'unknown';
+  }
+}
+
+/** Where there is no server, a list is mended on a machine of one's own. */
+function mendElsewhere(): HTMLElement {
+  return h(
+    'section',
+    { class: 'repair' },
+    h('h2', {}, 'Repair'),
+    h('p', {}, 'The program finds a design near to this list:'),
+    toCopy('changeover search --repair FILE'),
+  );
 }
 
 async function firstText(view: View): Promise<string> {
@@ -191,9 +220,16 @@ async function render(view: View): Promise<void> {
         await remember(body);
       }
       const report = await check(
-        { url: address('verify', { v: v.value, change: change.value, kind: kind.value }), body },
+        {
+          url: address('verify', declared()),
+          body,
+          ...(isCopy() ? { alone: declared() } : {}),
+        },
         mine.signal,
       );
+      if (isCopy()) {
+        await takeKeptBound(report, mine.signal);
+      }
       const head = h(
         'div',
         { class: 'verify-head' },
@@ -212,7 +248,7 @@ async function render(view: View): Promise<void> {
           h(
             'div',
             {},
-            mended ? mend(report, body) : null,
+            mended ? (isCopy() ? mendElsewhere() : mend(report, body)) : null,
             report.answer.valid && report.blocks.b > 1 && citation(report, mine.signal),
             facts(report),
             elementTable(report),
@@ -234,6 +270,10 @@ async function render(view: View): Promise<void> {
         }
       }
     }
+  }
+
+  function declared(): Declared {
+    return { v: v.value, change: change.value, kind: kind.value };
   }
 
   function asCircular(report: Report): Child {
@@ -358,7 +398,7 @@ async function render(view: View): Promise<void> {
         'What is known for these parameters',
       ),
     );
-    if (report.answer.valid && report.blocks.b > 1) {
+    if (report.answer.valid && report.blocks.b > 1 && !isCopy()) {
       about().then(
         ({ write }) => {
           if (write && hasToken()) {
@@ -430,8 +470,15 @@ async function render(view: View): Promise<void> {
       h(
         'p',
         { class: 'hint' },
-        'One block per line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla ' +
-          'repository: the format is recognised. You can drop a file here. If the text does ' +
+        isCopy()
+          ? [
+              'One block per line, or the JSON of a design; ',
+              h('code', {}, 'changeover verify'),
+              ' reads more formats. ',
+            ]
+          : 'One block per line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla ' +
+              'repository: the format is recognised. ',
+        'You can drop a file here. If the text does ' +
           'not say it, the change number is that of the first step, and the design is linear.',
       ),
     ),
@@ -482,4 +529,4 @@ async function render(view: View): Promise<void> {
   }
 }
 
-export const verify: Page = { path: 'verify', title: 'Verify', live: true, render };
+export const verify: Page = { path: 'verify', title: 'Verify', render };

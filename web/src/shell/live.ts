@@ -64,14 +64,6 @@ const elsewhere: Record<string, Elsewhere> = {
       'none.',
     command: searching,
   },
-  verify: {
-    title: 'Verify a design',
-    what:
-      'The program checks a list of blocks: does every pair meet, does each step change the same ' +
-      'number of elements, and are fewer blocks possible?',
-    command: () => 'changeover verify blocks.txt',
-    more: [h('p', {}, 'blocks.txt has a line for each block, elements with blanks between them.')],
-  },
 };
 
 export function whereThereIsAServer(page: Page): Page {

@@ -1,10 +1,13 @@
 // Asking the server and looking through the blocks, beside the page: a file of 50 MB must not stop
-// it.
+// it. Where there is no server, the worker counts itself.
 import { ApiError, noAnswer, type Kind, type Verified } from '../../lib/api';
+import type { Declared } from './alone';
 
 export interface Question {
   url: string;
   body: string | Blob;
+  /** There is no server: what the form says instead of the text. */
+  alone?: Declared;
 }
 
 /** What the server says, without the blocks. */

@@ -2,10 +2,11 @@
 import type { Cell } from '../../lib/api';
 import { checksumOf } from '../../lib/checksum';
 import { fill, h } from '../../lib/dom';
-import { cellDetail, cite } from '../../lib/source';
+import { cellDetail, cite, isHeld } from '../../lib/source';
 import { getText } from '../../lib/api';
 import { count, number } from '../../lib/words';
 import { copyButton } from '../../parts/copy';
+import { isCopy } from '../../shell/about';
 import { link, problem } from '../../shell/router';
 import type { Report } from './check';
 
@@ -16,10 +17,25 @@ export function citation(report: Report, signal: AbortSignal): HTMLElement {
   const cell: Cell = { v, k, change, kind, ...(strength === 2 ? {} : { strength }) };
   void (async () => {
     try {
+      if (!(await isHeld(cell))) {
+        fill(
+          place,
+          h(
+            'p',
+            { class: 'hint' },
+            'This copy has no designs with these parameters to compare with.',
+          ),
+        );
+        return;
+      }
       const [detail, hash] = await Promise.all([cellDetail(cell, signal), checksumOf(b, k, block)]);
       const same = hash === null ? undefined : detail.designs.find((entry) => entry.hash === hash);
       const best = detail.best?.b ?? null;
-      const text = same ? await cite(same.label, signal) : await getText('cite', {}, signal);
+      const text = same
+        ? await cite(same.label, signal)
+        : isCopy()
+          ? null
+          : await getText('cite', {}, signal);
       fill(
         place,
         same
@@ -49,13 +65,15 @@ export function citation(report: Report, signal: AbortSignal): HTMLElement {
               h('a', { href: link('cell', { ...cell }) }, 'More about these parameters'),
               '.',
             ),
-        h(
-          'h3',
-          {},
-          same ? 'BibTeX of this design' : 'BibTeX of the catalog that it was compared with',
-        ),
-        h('pre', { tabindex: 0 }, text),
-        copyButton('Copy', () => text),
+        text !== null && [
+          h(
+            'h3',
+            {},
+            same ? 'BibTeX of this design' : 'BibTeX of the catalog that it was compared with',
+          ),
+          h('pre', { tabindex: 0 }, text),
+          copyButton('Copy', () => text),
+        ],
       );
     } catch (fault) {
       if (!signal.aborted) {

@@ -1,6 +1,7 @@
 // Runs beside the page (see check.ts): asks, reads the answer, and turns its blocks into rows of
 // numbers.
 import { ApiError, askWith, type Design, type Verified } from '../../lib/api';
+import { verifyAlone } from './alone';
 import type { Answer, Blocks, Question, Reply } from './check';
 
 const port = self as unknown as {
@@ -83,10 +84,16 @@ function noRows({ v, k, b, change, kind, strength }: Answer['details']): Blocks 
   };
 }
 
-port.onmessage = ({ data }) => {
+async function verified({ url, body, alone }: Question): Promise<Verified> {
+  if (alone) {
+    return verifyAlone(typeof body === 'string' ? body : await body.text(), alone);
+  }
   const headers = { 'Content-Type': 'text/plain; charset=utf-8' };
-  askWith(data.url, { method: 'POST', headers, body: data.body })
-    .then((response) => response.json() as Promise<Verified>)
+  return (await askWith(url, { method: 'POST', headers, body })).json() as Promise<Verified>;
+}
+
+port.onmessage = ({ data }) => {
+  verified(data)
     .then(({ design, ...answer }) => {
       const blocks = design ? rows(design) : noRows(answer.details);
       port.postMessage({ report: { answer, blocks } }, [
