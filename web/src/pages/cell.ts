@@ -7,8 +7,7 @@ import { cellDetail, constructions, designOf, explain, isHeld } from '../lib/sou
 import { groupWords, mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { changeWord, count, nameOf, number } from '../lib/words';
-import { cellArguments, command } from '../parts/command';
-import { copyButton } from '../parts/copy';
+import { cellArguments, command, toCopy } from '../parts/command';
 import { dossierLink } from '../parts/dossier';
 import { downloads } from '../parts/downloads';
 import { busyKey, cellOf } from '../parts/fields';
@@ -240,10 +239,25 @@ function sayWhat(root: HTMLElement, signal: AbortSignal): void {
   );
 }
 
+const rowsAre = 'A row for each element, a bar for each stay. ';
+
+/** Whether a design of so many blocks of k elements is shown as a picture. */
+const isDrawn = (b: number | undefined, k: number): boolean =>
+  b !== undefined && b * k <= mostLooked && b <= 20_000;
+
+/** What is below the picture keeps its place when that comes. */
+function keepRoom(figure: HTMLElement): void {
+  fill(
+    figure,
+    h('span', { class: 'thumbnail room' }),
+    h('figcaption', { class: 'hint' }, rowsAre, '\u00a0'),
+  );
+}
+
 /** The design as a picture, and what its symmetries are. */
 function picture(cell: Cell, design: Design, place: HTMLElement, signal: AbortSignal): void {
   const b = design.blocks.length;
-  if (b * design.k > mostLooked || b > 20_000) {
+  if (!isDrawn(b, design.k)) {
     return;
   }
   const symmetry = symmetryOf(design);
@@ -264,16 +278,21 @@ function picture(cell: Cell, design: Design, place: HTMLElement, signal: AbortSi
     h(
       'figcaption',
       { class: 'hint' },
-      'A row for each element, a bar for each stay. ',
+      rowsAre,
       symmetry.order === '1' ? 'No symmetry.' : `Group of ${groupWords(symmetry)}.`,
     ),
   );
 }
 
 function showAround(cell: Cell, place: HTMLElement, signal: AbortSignal): void {
+  place.classList.add('coming');
+  const come = (): void => place.classList.remove('coming');
   neighbourhood(cell, signal).then(
-    (map) => map && fill(place, h('h2', {}, 'Around this cell'), map),
-    () => undefined, // All else is there.
+    (map) => {
+      map && fill(place, h('h2', {}, 'Around this cell'), map);
+      come();
+    },
+    come, // All else is there.
   );
 }
 
@@ -367,6 +386,9 @@ export const cell: Page = {
     const isLong = detail.best !== null && isTooLong(wanted, detail.best.b);
     const files = h('div', {}, !frozen && downloads(wanted, null, false));
     const figure = h('figure', { class: 'known-picture' });
+    if (isDrawn(detail.best?.b, wanted.k)) {
+      keepRoom(figure);
+    }
     const around = h('section', { class: 'around-place', 'aria-label': 'Cells around this one' });
     fill(
       body,
@@ -391,16 +413,7 @@ export const cell: Page = {
           !frozen && detail.best && forAPaper(wanted),
           offers(detail),
           howMany(detail),
-          !frozen && [
-            h('h2', {}, 'On the command line'),
-            h(
-              'p',
-              {},
-              command(explaining(wanted)),
-              ' ',
-              copyButton('Copy', () => explaining(wanted)),
-            ),
-          ],
+          !frozen && [h('h2', {}, 'On the command line'), toCopy(explaining(wanted))],
         ),
       ),
     );
@@ -432,6 +445,7 @@ export const cell: Page = {
       tasks.push(
         drawn.then((design) => {
           if (!design) {
+            fill(figure);
             return;
           }
           picture(wanted, design, figure, view.signal);

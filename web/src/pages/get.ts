@@ -1,19 +1,8 @@
 // How to get the program: where pages of a static copy that need it lead.
 import { fill, h } from '../lib/dom';
-import { command } from '../parts/command';
-import { copyButton } from '../parts/copy';
+import { toCopy } from '../parts/command';
 import { about } from '../shell/about';
 import { link, type Page } from '../shell/router';
-
-/** A command line that can be copied. */
-export function toCopy(line: string): HTMLElement {
-  return h(
-    'div',
-    { class: 'to-copy' },
-    command(line),
-    copyButton('Copy', () => line),
-  );
-}
 
 const ways: readonly (readonly [string, string, readonly string[]])[] = [
   [

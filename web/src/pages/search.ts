@@ -187,7 +187,7 @@ async function render(view: View): Promise<void> {
     start.classList.toggle('plain', idle);
   }
   way.addEventListener('change', nameStart);
-  const known = h('p', { class: 'hint search-known', role: 'status' });
+  const known = h('p', { class: 'search-known', role: 'status' });
   const fault = h('div', {});
   const stream = h('p', { class: 'hint stream', role: 'status' });
   const list = jobList((id) => (choose(id, true), fillIn(id)));
@@ -220,6 +220,8 @@ async function render(view: View): Promise<void> {
     looking = new AbortController();
     signal.addEventListener('abort', () => looking?.abort(), { once: true });
     before.show(Number(change.value), kind.value as Kind, Number(strength.value));
+    // Where more will be said, its room is kept.
+    known.classList.toggle('asked', v.value !== '' && k.value !== '');
     if (v.value === '' || k.value === '') {
       known.textContent = 'Write v and k to see what is known of them.';
       return;

@@ -1,8 +1,8 @@
 // Pages that need the program itself. In a static copy they say what they answer, the command that
 // answers the same, and how to get it.
 import { fill, h, type Child } from '../lib/dom';
-import { toCopy } from '../pages/get';
 import { memoryPicture, sheetPicture } from '../pages/home';
+import { toCopy } from '../parts/command';
 import { isCopy } from './about';
 import { link, type Page } from './router';
 
