@@ -108,7 +108,7 @@ test('theorems are found by words, in the contents, too; terms say what they mea
   const page = await explorer.open('#/theorems');
   const contents = page.getByRole('navigation', { name: 'Contents' });
   await contents.getByText('Run sheets and loads').waitFor();
-  await page.getByLabel('Find a theorem').fill('benches');
+  await page.getByLabel('Find').fill('benches');
   await page.locator('#theorem-26').waitFor();
   assert.ok(await page.locator('#theorem-1').isHidden());
   assert.ok(await contents.getByText('Double change').isHidden());
@@ -116,7 +116,7 @@ test('theorems are found by words, in the contents, too; terms say what they mea
   assert.ok(await several.isVisible());
   // What is hidden is not what is read.
   await contents.locator('[aria-current]:visible', { hasText: 'benches' }).waitFor();
-  await page.getByLabel('Find a theorem').fill('');
+  await page.getByLabel('Find').fill('');
   const term = page.locator('#theorem-1 a.term').first();
   await term.focus();
   await page.getByRole('tooltip').getByText('every pair is newly covered exactly once').waitFor();
@@ -142,14 +142,14 @@ test('theorems are found by words, in the contents, too; terms say what they mea
 
 test('constructions are found by words', async (explorer) => {
   const page = await explorer.open('#/theorems');
-  await page.getByLabel('Find a construction').fill('single-change cyclic');
+  await page.getByLabel('Find').fill('single-change cyclic');
   const shown = await page.locator('details[id^=construction-]:visible').count();
   assert.ok(shown > 0 && shown < 20);
   await page.reload();
   await settled(page);
   assert.equal(await page.locator('details[id^=construction-]:visible').count(), shown);
-  await page.getByLabel('Find a construction').fill('no such words');
-  await page.getByText('No construction says that').waitFor();
+  await page.getByLabel('Find').fill('no such words');
+  await page.getByText('Nothing here says that').waitFor();
 });
 
 test('names in the pictures of examples can be read', async (explorer) => {

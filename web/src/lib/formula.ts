@@ -258,19 +258,24 @@ export function texOf(formula: string, high = false): string {
     }
     const word = /^(?:\p{L}[\p{L}\p{M}]*|.)/u.exec(formula.slice(i))![0];
     flush();
-    tex += `\\text{ ${word.replace(/[\\{}$&#^_%~]/g, '')} }`;
+    const plain = word.replace(/[\\{}$&#^_%~]/g, '');
+    tex += /^[.,;]$/.test(plain) ? `\\text{${plain}}` : `\\text{ ${plain} }`;
     i += word.length;
   }
   flush();
   return tex;
 }
 
+/** Relations have room of their own: wide gaps around them, which help in a text, are none. */
+const closeTo = (formula: string): string => formula.replace(/ +([≤≥=≡≢≠<>]|:=|<=|>=) +/g, ' $1 ');
+
 /**
  * A text that is a formula as a whole, in groups that stay together if there is room, and these in
  * parts between which a line may end. Groups begin behind a comma and a gap and with a word, parts
  * with a relation, or with a sign of a sum where they are long; brackets are never cut.
  */
-export function partsOf(formula: string): { tex: string; text: string }[][] {
+export function partsOf(written: string): { tex: string; text: string }[][] {
+  const formula = closeTo(written);
   const cuts = { groups: [0], relations: [] as number[], sums: [] as number[] };
   let depth = 0;
   let last: Token | 'word' | null = null;

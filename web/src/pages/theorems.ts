@@ -7,10 +7,10 @@ import { line, markup } from '../lib/markup';
 import { afterSight, prepare } from '../lib/mathematics';
 import { constructions, theorems as ask } from '../lib/source';
 import { waiting } from '../lib/wait';
-import { count } from '../lib/words';
 import { citation, reason } from '../parts/recipe';
 import { link, problem, type Page, type View } from '../shell/router';
 import { linkTerms } from '../parts/knowl';
+import { findField, type Shelf } from './theorems/find';
 import { Gallery } from './theorems/gallery';
 import { groups, kindsOf, type Entry } from './theorems/groups';
 
@@ -217,6 +217,26 @@ function lazily(make: () => Child[]): HTMLElement {
   return place;
 }
 
+/** A work, with what the program cites it by. */
+function reference(
+  key: string,
+  text: string,
+  url: string | null,
+  wanted: string | null,
+): HTMLElement {
+  return h(
+    'li',
+    {
+      id: `reference-${key}`,
+      class: key === wanted ? 'statement chosen' : null,
+      tabindex: -1,
+    },
+    `${text.replace(/\.$/, '')}.`,
+    url && [' ', h('a', { href: url, rel: 'noreferrer' }, url.replace('https://', ''))],
+    [' ', h('span', { class: 'code small' }, `[${key}]`)],
+  );
+}
+
 function construction(it: Construction, gallery: Gallery, chosen: boolean): HTMLDetailsElement {
   return h(
     'details',
@@ -264,27 +284,6 @@ function construction(it: Construction, gallery: Gallery, chosen: boolean): HTML
   );
 }
 
-/** Shows those that have all words of `input`, and says in `said` how many. */
-function sift(
-  input: HTMLInputElement,
-  said: HTMLElement,
-  texts: readonly string[],
-  show: (i: number, shows: boolean) => void,
-  noun: string,
-): void {
-  const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
-  const found = texts.map((text) => words.every((word) => text.toLowerCase().includes(word)));
-  found.forEach((shows, i) => show(i, shows));
-  const left = found.filter(Boolean).length;
-  const all = count(texts.length, noun);
-  said.textContent =
-    words.length === 0
-      ? all
-      : left === 0
-        ? `No ${noun} says that. Try fewer words.`
-        : `${left} of ${all}`;
-}
-
 export const theorems: Page = {
   path: 'theorems',
   title: 'Theorems',
@@ -322,29 +321,6 @@ export const theorems: Page = {
       construction(each, gallery, each.name === wanted.construction),
     );
     let markRead = (): void => undefined;
-    const found = h('p', { class: 'hint', role: 'status' });
-    const filter = h('input', {
-      type: 'search',
-      id: 'filter',
-      value: view.params.get('find') ?? '',
-      placeholder: 'cyclic, expansion, m = 1',
-      oninput: () => {
-        siftConstructions();
-        markRead();
-        view.go({ find: filter.value.trim() || null }, { quiet: true });
-      },
-    });
-    const siftConstructions = (): void =>
-      sift(
-        filter,
-        found,
-        built.map(({ name, summary, serves, citation: from }) =>
-          [name, summary, serves, from].join(' '),
-        ),
-        (i, shows) => (articles[i]!.hidden = !shows),
-        'construction',
-      );
-    siftConstructions();
     const links = inPages(new Set(built.map(({ name }) => name)));
     const stated = proved.map((each) =>
       theorem(each, gallery, each.number === wanted.theorem, links),
@@ -355,34 +331,6 @@ export const theorems: Page = {
       anchored ? stated.length : 3,
       view.signal,
     );
-    const sought = h('p', { class: 'hint', role: 'status' });
-    const seek = h('input', {
-      type: 'search',
-      id: 'seek',
-      placeholder: 'tight, benches, 23',
-      oninput: () => {
-        siftTheorems();
-        statements.rest();
-        markRead();
-      },
-    });
-    const siftTheorems = (): void => {
-      sift(
-        seek,
-        sought,
-        proved.map((each) =>
-          [each.number, each.title, each.statement, ...kindsOf(each.number)].join(' '),
-        ),
-        (i, shows) => {
-          stated[i]!.element.hidden = !shows;
-          entriesOf.get(proved[i]!.number)!.hidden = !shows;
-        },
-        'theorem',
-      );
-      heads.forEach((numbers, head) => {
-        head.hidden = numbers.every((number) => entriesOf.get(number)!.hidden);
-      });
-    };
     const missing =
       (wanted.theorem &&
         !proved.some((each) => each.number === wanted.theorem) &&
@@ -412,11 +360,7 @@ export const theorems: Page = {
                 },
                 { quiet: true },
               );
-              contents.querySelector('details')!.open = beside.matches;
-              statements.rest(); // What is above has its height then.
-              const target = document.getElementById(id);
-              target && land(target, view.signal);
-              target?.focus({ preventScroll: true });
+              go(document.getElementById(id) ?? undefined);
             },
           },
           words,
@@ -440,6 +384,12 @@ export const theorems: Page = {
       );
       return head;
     };
+    const more = new Map(
+      ['Constructions', 'References'].map((words) => [
+        words.toLowerCase(),
+        jump([h('strong', {}, words)], words.toLowerCase(), link('theorems')),
+      ]),
+    );
     const here = h('span', { class: 'contents-here', 'aria-hidden': 'true' });
     const beside = window.matchMedia('(min-width: 56.01rem)');
     const contents = h(
@@ -465,10 +415,15 @@ export const theorems: Page = {
             }),
           ]),
           h('li', { class: 'contents-group' }, 'More'),
-          jump([h('strong', {}, 'Constructions')], 'constructions', link('theorems')),
-          jump([h('strong', {}, 'References')], 'references', link('theorems')),
+          [...more.values()],
         ),
       ),
+    );
+    const theoremsHead = h('h2', {}, 'Theorems');
+    const keys = h(
+      'p',
+      { class: 'hint' },
+      'In brackets behind a work: its key, by which the program and its files cite it.',
     );
     const folds = h(
       'button',
@@ -483,7 +438,78 @@ export const theorems: Page = {
       },
       'Expand all',
     );
-    siftTheorems();
+    const go = (part: HTMLElement | undefined): void => {
+      contents.querySelector('details')!.open = beside.matches;
+      statements.rest(); // What is above has its height then.
+      if (part) {
+        land(part, view.signal);
+        part.focus({ preventScroll: true });
+      }
+    };
+    const heading = {
+      constructions: h('h2', { id: 'constructions', tabindex: -1 }, 'Constructions'),
+      references: h('h2', { id: 'references', tabindex: -1 }, 'References'),
+    };
+    const cites = inOrder.map(([key, text, url]) => reference(key, text, url, wanted.reference));
+    const shelves: Shelf[] = [
+      {
+        noun: 'theorem',
+        texts: proved.map((each) =>
+          [each.number, each.title, each.statement, ...kindsOf(each.number)].join(' '),
+        ),
+        show(i, shows) {
+          stated[i]!.element.hidden = !shows;
+          entriesOf.get(proved[i]!.number)!.hidden = !shows;
+        },
+        left(some) {
+          theoremsHead.hidden = some === 0;
+          heads.forEach((numbers, head) => {
+            head.hidden = numbers.every((number) => entriesOf.get(number)!.hidden);
+          });
+        },
+        go: () => go(stated.find(({ element }) => !element.hidden)?.element),
+      },
+      {
+        noun: 'construction',
+        texts: built.map(({ name, summary, serves, citation: from }) =>
+          [name, summary, serves, from].join(' '),
+        ),
+        show: (i, shows) => (articles[i]!.hidden = !shows),
+        left: (some) => {
+          heading.constructions.hidden = folds.hidden = some === 0;
+          more.get('constructions')!.hidden = some === 0;
+        },
+        go: () => go(heading.constructions),
+      },
+      {
+        noun: 'reference',
+        texts: inOrder.map(([key, text]) => `${key} ${text}`),
+        show: (i, shows) => (cites[i]!.hidden = !shows),
+        left: (some) => {
+          heading.references.hidden = keys.hidden = some === 0;
+          more.get('references')!.hidden = some === 0;
+        },
+        go: () => go(heading.references),
+      },
+    ];
+    const find = findField(view.params.get('find') ?? '', shelves, (words) => {
+      statements.rest();
+      markRead();
+      view.go({ find: words || null }, { quiet: true });
+    });
+    const reading = h('div', { class: 'told', tabindex: -1 });
+    const skip = h(
+      'a',
+      {
+        class: 'skip',
+        href: link('theorems'),
+        onclick: (event) => {
+          event.preventDefault();
+          reading.focus({ preventScroll: true });
+        },
+      },
+      'Skip the contents',
+    );
     fill(
       view.root,
       h('h1', {}, 'Theorems and constructions'),
@@ -491,72 +517,37 @@ export const theorems: Page = {
       h(
         'div',
         { class: 'with-contents' },
-        contents,
-        h(
-          'div',
-          {},
-          h(
-            'p',
-            {},
-            'These theorems go beyond the published ones; each has its proof. Below them stand ' +
-              'all constructions of the program. SCCD(v, k) and DCCD(v, k) are the ' +
-              'single-change and double-change covering designs on v elements in blocks of k; a ' +
-              'third number is that of blocks, as in DCCD(v, k, b).',
-          ),
-          h('h2', {}, 'Theorems'),
-          h(
-            'div',
-            { class: 'row' },
-            h('div', { class: 'field' }, h('label', { for: seek.id }, 'Find a theorem'), seek),
-            sought,
-          ),
-          inGroups.flatMap(([heading, entries]) => [
-            pageHead(heading, entries),
-            ...entries.map(
-              ([number]) => stated[proved.findIndex((each) => each.number === number)]!.element,
-            ),
-          ]),
-          h('h2', { id: 'constructions', tabindex: -1 }, 'Constructions'),
-          h(
-            'div',
-            { class: 'row' },
-            h(
-              'div',
-              { class: 'field' },
-              h('label', { for: filter.id }, 'Find a construction'),
-              filter,
-            ),
-            folds,
-            found,
-          ),
-          h('div', { class: 'constructions' }, articles),
-          h('h2', { id: 'references', tabindex: -1 }, 'References'),
-          h(
-            'p',
-            { class: 'hint' },
-            'In brackets behind a work: its key, by which the program and its files cite it.',
-          ),
-          h(
-            'ul',
-            { class: 'references' },
-            inOrder.map(([key, text, url]) =>
-              h(
-                'li',
-                {
-                  id: `reference-${key}`,
-                  class: key === wanted.reference ? 'statement chosen' : null,
-                  tabindex: -1,
-                },
-                `${text.replace(/\.$/, '')}.`,
-                url && [' ', h('a', { href: url, rel: 'noreferrer' }, url.replace('https://', ''))],
-                // What the program cites it by.
-                [' ', h('span', { class: 'code small' }, `[${key}]`)],
-              ),
-            ),
-          ),
-        ),
+        h('div', { class: 'contents-side' }, find.element, skip, contents),
+        reading,
       ),
     );
+    fill(
+      reading,
+      h(
+        'p',
+        {},
+        'These theorems go beyond the published ones; each has its proof. Below them stand ' +
+          'all constructions of the program. SCCD(v, k) and DCCD(v, k) are the ' +
+          'single-change and double-change covering designs on v elements in blocks of k; a ' +
+          'third number is that of blocks, as in DCCD(v, k, b).',
+      ),
+      theoremsHead,
+      inGroups.flatMap(([title, entries]) => [
+        pageHead(title, entries),
+        ...entries.map(
+          ([number]) => stated[proved.findIndex((each) => each.number === number)]!.element,
+        ),
+      ]),
+      heading.constructions,
+      h('div', { class: 'row' }, folds),
+      h('div', { class: 'constructions' }, articles),
+      heading.references,
+      keys,
+      h('ul', { class: 'references' }, cites),
+    );
+    heads.forEach((numbers, head) => {
+      head.hidden = numbers.every((number) => entriesOf.get(number)!.hidden);
+    });
     markRead = followReading(view.root, contents, here, view.signal);
     const chosen = view.root.querySelector<HTMLElement>('.chosen');
     if (chosen) {
