@@ -285,10 +285,22 @@ export const catalog: Page = {
         follow(false);
         const at = /^(\d+)\.(\d+)$/.exec(view.params.get('at') ?? '');
         // Something is there to be read from the beginning.
-        const cell = at ? atlas.cell(Number(at[1]), Number(at[2])) : firstRead(atlas);
+        const first = firstRead(atlas);
+        const cell = at
+          ? atlas.cell(Number(at[1]), Number(at[2]))
+          : first && sift.passes()(first)
+            ? first
+            : (listed.find(({ b }) => b !== null) ?? listed[0] ?? null);
         if (cell && cell.status !== 'impossible') {
           read(cell);
           map.mark(cell.v, cell.k);
+        } else if (!at && listed.length === 0 && atlas.cells().length > 0) {
+          map.mark(null);
+          fill(
+            readout,
+            h('h2', {}, 'No cell is left'),
+            h('p', { class: 'hint' }, 'The filters below leave none of those in sight.'),
+          );
         } else {
           fill(
             readout,
@@ -468,9 +480,8 @@ export const catalog: Page = {
             ),
           ),
         ),
-        readout,
+        h('div', { class: 'map-side' }, readout, sift.element),
       ),
-      sift.element,
       h('div', { class: 'row sums-row' }, sums, take, anyCell),
       list.element,
       complete,

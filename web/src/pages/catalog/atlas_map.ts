@@ -28,8 +28,8 @@ export interface AtlasMap {
   seen(): Window;
   /** Whether cells are in sight, faintly, that are outside of the window that was asked for. */
   showsBeyond(): boolean;
-  /** Marks a cell. */
-  mark(v: number, k: number): void;
+  /** Marks a cell; null marks none. */
+  mark(v: number | null, k?: number): void;
   zoom(factor: number): void;
   fit(): void;
 }
@@ -491,8 +491,8 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     look: lookAt,
     seen,
     showsBeyond,
-    mark(v, k) {
-      chosen = { v, k };
+    mark(v, k = 0) {
+      chosen = v === null ? null : { v, k };
       soon();
     },
     zoom,
