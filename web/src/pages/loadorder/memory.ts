@@ -13,6 +13,8 @@ const mostItems = 3000;
 const mostHeld = 3_000_000;
 /** So many workers are drawn below each other. */
 const mostWorkers = 8;
+/** And so many without being asked. */
+const mostAtFirst = 4;
 /** All of them, in the choice of one. */
 const every = 'all';
 
@@ -174,10 +176,10 @@ export function memory(
     fill(place, drawn(answer, worker, fast, leaving.signal));
   };
   const whose = select(
-    String(workers[0] ?? ''),
+    workers.length > 1 && workers.length <= mostAtFirst ? every : String(workers[0] ?? ''),
     [
-      ...workers.map((worker) => [String(worker), String(worker)] as const),
       ...(workers.length > 1 && workers.length <= mostWorkers ? [[every, 'all'] as const] : []),
+      ...workers.map((worker) => [String(worker), String(worker)] as const),
     ],
     (worker) => {
       show();

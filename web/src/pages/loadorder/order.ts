@@ -436,6 +436,36 @@ function wide(text: string, bold: boolean): number {
 /** What is left between two kinds of moves, in letters. */
 const between = 2;
 
+/** Moves of one kind stand below each other if they are no wider, in letters. */
+const widestColumn = 13;
+/** So many steps tell how wide columns are. */
+const looked = 400;
+
+/** How wide the columns of moves are, in letters; 0 of a kind that no step has. */
+function columnsOf(
+  steps: Ordered['steps'],
+): [load: number, evict: number, come: number, leave: number] {
+  const widest = (items: (step: Ordered['steps'][number]) => (number | string)[] | undefined) =>
+    Math.min(
+      widestColumn,
+      Math.max(
+        0,
+        ...steps
+          .slice(0, looked)
+          // Not where memory is filled.
+          .filter(({ evict, fast_evict: leave = [] }) => evict.length + leave.length > 0)
+          .map((step) => items(step) ?? [])
+          .map((some) => (some.length === 0 ? 0 : wide(`transfer ${listed(some)}`, true))),
+      ),
+    );
+  return [
+    widest(({ load }) => load),
+    widest(({ evict }) => evict),
+    widest(({ fast_load: come }) => come),
+    widest(({ fast_evict: leave }) => leave),
+  ];
+}
+
 export interface StepList {
   readonly element: HTMLElement;
   /** Brings the first step of a worker to the top of the list. */
@@ -447,6 +477,16 @@ export function stepList(answer: Ordered): StepList {
   const starts = new Set(
     answer.steps.filter((step, i) => step.epoch !== answer.steps[i - 1]?.epoch),
   );
+  const columns = columnsOf(answer.steps);
+  /** What a step does with items; its column stays where it does nothing with any. */
+  const move = (column: number, kind: string, words: Child[]): HTMLElement | false => {
+    if (words.length === 0 && columns[column] === 0) {
+      return false;
+    }
+    const place = h('span', { class: `move ${kind}` }, words);
+    place.style.setProperty('--column', `${columns[column]! * letterWidth}px`);
+    return place;
+  };
   const list = virtualList({
     label: `The ${number(answer.steps.length)} steps`,
     rows: answer.steps.length,
@@ -459,8 +499,12 @@ export function stepList(answer: Ordered): StepList {
         [leave, 'take off ', false],
       ];
       return kinds.reduce(
-        (sum, [items, verb, bold]) =>
-          sum + (items.length > 0 ? wide(verb, false) + wide(listed(items), bold) + between : 0),
+        (sum, [items, verb, bold], column) =>
+          sum +
+          Math.max(
+            columns[column]!,
+            items.length > 0 ? wide(verb, false) + wide(listed(items), bold) + between : 0,
+          ),
         0,
       );
     },
@@ -469,19 +513,21 @@ export function stepList(answer: Ordered): StepList {
       const { fast_load: come = [], fast_evict: leave = [] } = answer.steps[i]!;
       const parts: Child[] = [
         h('span', { class: 'block-number' }, shared ? `${worker} · ${number(step)}` : number(step)),
-        (load.length > 0 || come.length + evict.length + leave.length === 0) &&
-          h(
-            'span',
-            { class: 'load' },
-            'load ',
-            load.length === 0 ? 'nothing' : h('strong', {}, listed(load)),
-          ),
-        evict.length > 0 && h('span', { class: 'block-out' }, 'evict ', listed(evict)),
+        move(
+          0,
+          'load',
+          load.length > 0
+            ? ['load ', h('strong', {}, listed(load))]
+            : come.length + evict.length + leave.length === 0
+              ? ['load nothing']
+              : [],
+        ),
+        move(1, 'block-out', evict.length > 0 ? ['evict ', listed(evict)] : []),
         epoch !== undefined &&
           starts.has(answer.steps[i]!) &&
           h('span', { class: 'hint' }, `epoch ${number(epoch)} begins`),
-        come.length > 0 && h('span', {}, 'transfer ', listed(come)),
-        leave.length > 0 && h('span', { class: 'block-out' }, 'take off ', listed(leave)),
+        move(2, '', come.length > 0 ? ['transfer ', listed(come)] : []),
+        move(3, 'block-out', leave.length > 0 ? ['take off ', listed(leave)] : []),
         before &&
           compute &&
           h(
