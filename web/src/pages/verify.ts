@@ -15,7 +15,7 @@ import { check, type Report } from './verify/check';
 import { citation } from './verify/citation';
 import { examples } from './verify/examples';
 import { excerpt, lineRange } from '../parts/excerpt';
-import { repairOffer } from './verify/repair';
+import { repairOffer, withoutNames, type Given } from './verify/repair';
 import { alsoCircular, elementTable, facts, headline } from './verify/verdict';
 
 /** Larger texts are not put into the field, only named. */
@@ -284,30 +284,37 @@ async function render(view: View): Promise<void> {
   }
 
   function mend(report: Report, body: string | Blob): HTMLElement {
-    const given = designOf(report);
-    return repairOffer(
-      {
-        query: {
-          v: v.value,
-          change: report.blocks.change,
-          kind: report.blocks.kind,
-          ...(report.blocks.strength === 2 ? {} : { strength: report.blocks.strength }),
+    const design = designOf(report);
+    const { change: m, kind: way, strength } = design;
+    const query = { change: m, kind: way, ...(strength ? { strength } : {}) };
+    const offer = (given: Given): HTMLElement =>
+      repairOffer(
+        given,
+        (repaired) => {
+          show(asText(repaired));
+          change.value = kind.value = v.value = '';
+          view.go({ v: null, change: null, kind: null, example: null }, { quiet: true });
+          void run(true);
         },
+        (repaired) => {
+          keepLocal(repaired);
+          window.location.hash = link('design', { local: 1 });
+        },
+        view.signal,
+      );
+    const odd = report.answer.names_among_numbers;
+    const without = odd.length > 0 ? withoutNames(design, odd) : null;
+    return h(
+      'div',
+      {},
+      without && offer({ query, ...without }),
+      offer({
+        query: { ...query, v: v.value },
         body,
-        blocks: given.blocks,
-        name: (x) => given.labels?.[x] ?? String(x),
-      },
-      (design) => {
-        show(asText(design));
-        change.value = kind.value = v.value = '';
-        view.go({ v: null, change: null, kind: null, example: null }, { quiet: true });
-        void run(true);
-      },
-      (design) => {
-        keepLocal(design);
-        window.location.hash = link('design', { local: 1 });
-      },
-      view.signal,
+        blocks: design.blocks,
+        name: (x) => design.labels?.[x] ?? String(x),
+        ...(without ? { title: `Repair with ${odd.join(' and ')}`, later: true } : {}),
+      }),
     );
   }
 

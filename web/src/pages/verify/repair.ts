@@ -88,13 +88,48 @@ function changes(lines: readonly Line[], name: (x: number) => string): Child[] {
   return found;
 }
 
+/** A list to be repaired. */
+export interface Given {
+  query: object;
+  body: string | Blob;
+  blocks: readonly (readonly number[])[];
+  name(x: number): string;
+  /** "Repair without x": what is done differently. */
+  title?: string;
+  /** It is not begun without being asked. */
+  later?: boolean;
+}
+
+/**
+ * The list without the blocks that hold one of these names, which are no elements then; null if
+ * nothing would be left of it.
+ */
+export function withoutNames(
+  design: Design,
+  names: readonly string[],
+): Pick<Given, 'body' | 'blocks' | 'name' | 'title'> | null {
+  const { v, k, change, kind, labels = [] } = design;
+  const odd = new Set(names.map((name) => labels.indexOf(name)));
+  const left = labels.filter((_, x) => !odd.has(x));
+  const place = new Map(left.map((name, i) => [labels.indexOf(name), i]));
+  const blocks = design.blocks
+    .filter((block) => !block.some((x) => odd.has(x)))
+    .map((block) => block.map((x) => place.get(x)!));
+  if (blocks.length < 2 || left.length !== v - names.length || left.length <= k) {
+    return null;
+  }
+  const header = `# changeover design v=${left.length} k=${k} change=${change} kind=${kind}`;
+  const lines = blocks.map((block) => block.map((x) => left[x]!).join(' '));
+  return {
+    body: [header, `# labels: ${left.join(' ')}`, ...lines, ''].join('\n'),
+    blocks,
+    name: (x) => left[x] ?? String(x),
+    title: `Repair without ${names.join(' and ')}`,
+  };
+}
+
 export function repairOffer(
-  given: {
-    query: object;
-    body: string | Blob;
-    blocks: readonly (readonly number[])[];
-    name(x: number): string;
-  },
+  given: Given,
   take: (design: Design) => void,
   open: (design: Design) => void,
   signal: AbortSignal,
@@ -173,13 +208,13 @@ export function repairOffer(
     );
   }
   // Short lists are repaired in a moment: no need to be asked.
-  if (given.blocks.length > 0 && given.blocks.length <= atOnce) {
+  if (!given.later && given.blocks.length > 0 && given.blocks.length <= atOnce) {
     ask.click();
   }
   return h(
     'section',
     { class: 'repair' },
-    h('h2', {}, 'Repair'),
+    h('h2', {}, given.title ?? 'Repair'),
     h(
       'p',
       {},

@@ -204,7 +204,7 @@ export function facts({ answer, blocks }: Report): HTMLElement {
     h('h2', {}, 'Facts'),
     h(
       'table',
-      { class: 'facts' },
+      { class: 'facts fact-table' },
       h(
         'tbody',
         {},
@@ -212,9 +212,8 @@ export function facts({ answer, blocks }: Report): HTMLElement {
           h(
             'tr',
             {},
-            h('th', { scope: 'row' }, h('dfn', {}, term)),
+            h('th', { scope: 'row' }, h('dfn', { title: meaning }, term)),
             h('td', {}, value),
-            h('td', { class: 'meaning' }, mathText(meaning)),
           ),
         ),
       ),
