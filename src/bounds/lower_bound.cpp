@@ -117,9 +117,10 @@ void circular_bounds(const Parameters& p, std::vector<Bound>& bounds) {
   if (plain.b == g2) {
     bounds.push_back(
         {g2, "counting",
-         fmt::format("each block newly covers at most {0} of C({1},2) = {2} pairs: "
-                     "b >= ceil({2} / {0}) = {3} (elements in every block do not help)",
-                     most, p.v, all, g2)});
+         fmt::format(
+             "each block newly covers at most {0} of C({1},2) = {2} pairs: "
+             "b >= ceil({2} / {0}) = {3} (a design with elements in every block needs no fewer)",
+             most, p.v, all, g2)});
   } else {
     bounds.push_back(
         {plain.b, "counting",
@@ -136,8 +137,12 @@ void circular_bounds(const Parameters& p, std::vector<Bound>& bounds) {
         {minimum.b, "degree",
          fmt::format(
              "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= {} (modulo gcd(k-1,m) = {}); "
-             "counting with this excess, least at {} elements in every block, gives b >= {}",
-             forced.each, forced.modulus, minimum.fixed, minimum.b)});
+             "counting pairs with this excess{} gives b >= {}",
+             forced.each, forced.modulus,
+             minimum.fixed == 0 ? ""
+                                : fmt::format(", least with {} in every block,",
+                                              count_of(minimum.fixed, "element")),
+             minimum.b)});
   }
 }
 

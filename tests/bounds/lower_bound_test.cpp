@@ -243,8 +243,8 @@ TEST(LowerBound, WritesEachReasonWithItsNumbers) {
   };
   EXPECT_EQ(
       reason_named(circular(20, 5, 2), "counting"),
-      "each block newly covers at most 7 of C(20,2) = 190 pairs: b >= ceil(190 / 7) = 28 (elements in "
-      "every block do not help)");
+      "each block newly covers at most 7 of C(20,2) = 190 pairs: b >= ceil(190 / 7) = 28 (a design with elements "
+      "in every block needs no fewer)");
   EXPECT_EQ(
       reason_named(circular(8, 6, 2), "counting"),
       "ceil(C(8,2) / 9) = 4 counts pairs of elements that are in every block; over the number f of "
@@ -265,12 +265,12 @@ TEST(LowerBound, WritesEachReasonWithItsNumbers) {
       "most 25: b >= ceil((364 - 35) / 25) + 1 = 15 (a circular design is also a linear one)");
   EXPECT_EQ(
       reason_named(circular(23, 9, 4), "degree"),
-      "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= 2 (modulo gcd(k-1,m) = 4); counting with "
-      "this excess, least at 0 elements in every block, gives b >= 11");
+      "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= 2 (modulo gcd(k-1,m) = 4); counting pairs "
+      "with this excess gives b >= 11");
   EXPECT_EQ(
       reason_named(circular(12, 9, 2), "degree"),
-      "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= 1 (modulo gcd(k-1,m) = 2); counting with "
-      "this excess, least at 2 elements in every block, gives b >= 5");
+      "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= 1 (modulo gcd(k-1,m) = 2); counting pairs "
+      "with this excess, least with 2 elements in every block, gives b >= 5");
   EXPECT_EQ(
       reason_named({.v = 20, .k = 9, .change = 4}, "degree"),
       "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= 1 (modulo gcd(k-1,m) = 4), so 200 pairs are "

@@ -90,6 +90,20 @@ TEST(Entry, KeysInAnyOrder) {
   }
 }
 
+// Rows keep the words of the program that wrote them; what is read says it as bounds do now.
+TEST(Entry, ReasonsAreInPresentWords) {
+  const auto read = [](const std::string& reason) {
+    return entry_from_line(with("reason", '"' + reason + '"'), "f", 1, uncredited).reason;
+  };
+  EXPECT_EQ(read("b >= ceil(10 / 2) = 5 (elements in every block do not help)"),
+            "b >= ceil(10 / 2) = 5 (a design with elements in every block needs no fewer)");
+  EXPECT_EQ(read("x; counting with this excess, least at 0 elements in every block, gives b >= 5"),
+            "x; counting pairs with this excess gives b >= 5");
+  EXPECT_EQ(read("x; counting with this excess, least at 2 elements in every block, gives b >= 5"),
+            "x; counting pairs with this excess, least with 2 elements in every block, gives "
+            "b >= 5");
+}
+
 TEST(Entry, EveryKeyMissingOrTwice) {
   const Fields good = good_fields();
   for (std::size_t i = 0; i < good.size(); ++i) {
