@@ -1,8 +1,10 @@
 // Sentences as dossiers write and set them.
 #include <gtest/gtest.h>
 
+#include "answer/dossier/dossier_math.hpp"
 #include "answer/dossier/dossier_setting.hpp"
 #include "answer/dossier/dossier_words.hpp"
+#include "io/write/latex_prose.hpp"
 
 namespace changeover::dossier_words_test {
 namespace {
@@ -43,6 +45,20 @@ TEST(DossierWords, FormulasAreNotBroken) {
   EXPECT_EQ(unbroken("(words in brackets)"), "(words in brackets)");
   EXPECT_EQ(unbroken_code("search --base-blocks 5"), "search <span>--base-blocks</span> 5");
   EXPECT_EQ(with_letters_set("an element x, and 2x"), "an element $x$, and $2x$");
+}
+
+TEST(DossierWords, BinomialsAndSumsAreSet) {
+  const auto set = [](std::string_view words) { return with_mathml(unbroken(html_prose(words))); };
+  EXPECT_EQ(set("at most C(43,2) = 903"),
+            "at most <math><mrow><mo maxsize=\"1.8em\">(</mo><mfrac linethickness=\"0\">"
+            "<mrow><mn>43</mn></mrow><mrow><mn>2</mn></mrow></mfrac>"
+            "<mo maxsize=\"1.8em\">)</mo></mrow></math>\u00a0=\u00a0903");
+  EXPECT_NE(set("C(c_x + 1, 2)").find("<msub><mi>c</mi><mrow><mi>x</mi></mrow></msub><mo>+</mo>"),
+            std::string::npos);
+  EXPECT_NE(set("Σ_x i_x").find("<munder>"), std::string::npos);
+  for (const std::string_view plain : {"a (b) C", "C(v", "C(v)", "DCCD(43,6)", "b ≥ ⌈903 / 9⌉"}) {
+    EXPECT_EQ(set(plain).find("<math>"), std::string::npos) << plain;
+  }
 }
 
 }  // namespace

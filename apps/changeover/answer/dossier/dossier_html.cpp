@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "answer/dossier/dossier_form.hpp"
+#include "answer/dossier/dossier_math.hpp"
 #include "answer/dossier/dossier_setting.hpp"
 #include "changeover/core/version.hpp"
 #include "construct/references.hpp"
@@ -43,7 +44,9 @@ constexpr std::string_view style = R"(
   li { margin: .25rem 0; overflow-wrap: break-word; }
   figure { margin: 1.5rem 0; text-align: center; break-inside: avoid; }
   figure svg { max-width: 100%; height: auto; }
-  .picture { border-radius: .3rem; }
+  .picture.dark { display: none; }
+  math { font-family: "Cambria Math", "STIX Two Math", "Latin Modern Math",
+                      "DejaVu Math TeX Gyre", math; line-height: normal; }
   figcaption { font-size: .9rem; }
   @media print {
     body { margin: 0; max-width: none; font-size: 10pt; } nav { display: none; }
@@ -55,7 +58,8 @@ constexpr std::string_view style = R"(
     body { color: #e8e8e8; background: #16181a; } pre, code { background: #24272a; }
     .facts, .theorem { border-color: #444a50; } .facts dt { color: #a9b0b6; }
     .blocks span::before { color: #8b939a; }
-    a { color: #8ec1ff; } figure svg { background: #fff; } } }
+    a { color: #8ec1ff; }
+    .picture { display: none; } .picture.dark { display: block; } } }
 )";
 
 class Html final : public Form {
@@ -126,8 +130,10 @@ class Html final : public Form {
   }
   void picture(const Dossier& dossier) override {
     text += fmt::format(
-        "<figure>\n<div class=\"picture\">{}</div><figcaption>{}</figcaption>\n</figure>\n",
-        svg(*dossier.picture, Theme::light), html_text(dossier.picture_says));
+        "<figure>\n<div class=\"picture\">{}</div>\n<div class=\"picture dark\">{}</div>\n"
+        "<figcaption>{}</figcaption>\n</figure>\n",
+        svg(*dossier.picture, Theme::light), svg(*dossier.picture, Theme::dark),
+        html_text(dossier.picture_says));
   }
   void theorems(const Dossier& dossier) override {
     heading("Theorems used");
@@ -208,7 +214,7 @@ class Html final : public Form {
     std::string html;
     std::size_t done = 0;
     const auto put = [&](std::size_t at, std::size_t length, const std::string& instead) {
-      html += unbroken(html_prose(words.substr(done, at - done))) + instead;
+      html += with_mathml(unbroken(html_prose(words.substr(done, at - done)))) + instead;
       done = at + length;
     };
     for (std::size_t at = words.find('['); at < words.size(); at = words.find('[', at + 1)) {
