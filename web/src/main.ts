@@ -16,6 +16,7 @@ import { verify } from './pages/verify';
 import { about, isCopy } from './shell/about';
 import { withoutLinksBeyond } from './shell/copy';
 import { openGlossary } from './shell/glossary';
+import { followQuestionMark, openKeys } from './shell/keys';
 import { whereThereIsAServer } from './shell/live';
 import { link, placeOf, Router, type Page } from './shell/router';
 import { startTheme, toggleTheme } from './shell/theme';
@@ -88,6 +89,18 @@ function navigation(current: Page): void {
       ),
     ),
     h('button', { type: 'button', class: 'plain', onclick: openGlossary }, 'Glossary'),
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain with-keys',
+        onclick: () => openKeys(current.path),
+        'aria-label': 'Keys of this page',
+        'aria-keyshortcuts': '?',
+        title: 'Keys of this page',
+      },
+      '?',
+    ),
     h(
       'button',
       {
@@ -165,6 +178,7 @@ function begin(): void {
   }
   const router = new Router(pages, element('main'), navigation);
   startTheme();
+  followQuestionMark(() => placeOf(window.location.hash).path);
   router.draw();
   foot().catch(() => undefined);
   if (placeOf(window.location.hash).path === '') {

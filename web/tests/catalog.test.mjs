@@ -285,6 +285,21 @@ test('the look-up box leads to cells, labels and the page Verify', async (explor
   await page.getByRole('heading', { name: 'Verify', level: 1 }).waitFor();
 });
 
+test('a checksum leads to its design; filters that leave no cell are said', async (explorer) => {
+  const page = await explorer.open('#/catalog?blocks=88&by=cyclic');
+  await readout(page, 'No cell is left');
+  await page.getByRole('button', { name: 'Clear the filters' }).click();
+  await readout(page, 'v = 20, k = 5');
+  const label = await page.locator('table.cells td.label a').nth(30).textContent();
+  await page.getByLabel('Look up a design').fill(label.split('.').at(-1));
+  await page.keyboard.press('Enter');
+  await page.waitForURL((url) => url.hash.endsWith(`label=${label}`));
+  await page.goto(page.url().replace(/#.*/, '#/home'));
+  await page.getByLabel('Look up a design').fill('00000000');
+  await page.keyboard.press('Enter');
+  await page.getByRole('alert').filter({ hasText: 'No best design has a checksum' }).waitFor();
+});
+
 test('completeness by block size', async (explorer) => {
   const page = await explorer.open(small);
   await page.getByText('Completeness by block size').click();

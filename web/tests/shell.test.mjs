@@ -100,6 +100,24 @@ test('the glossary is a click away on every page', async (explorer) => {
   }
 });
 
+test('"?" lists the keys of the page, and a button does', async (explorer) => {
+  const page = await explorer.open('#/cell?v=20&k=5');
+  await page.keyboard.press('Shift+?');
+  const keys = page.getByRole('dialog', { name: 'Keys of this page' });
+  await keys.getByText('one element less or more').waitFor();
+  await accessibility(page, 'keys');
+  await page.keyboard.press('Escape');
+  await keys.waitFor({ state: 'detached' }).catch(() => keys.waitFor({ state: 'hidden' }));
+  await page.goto(page.url().replace(/#.*/, '#/catalog'));
+  await settled(page);
+  // A field takes the sign as it is.
+  await page.getByLabel('Look up a design').press('Shift+?');
+  assert.equal(await page.getByLabel('Look up a design').inputValue(), '?');
+  assert.ok(await keys.isHidden());
+  await page.getByRole('button', { name: 'Keys of this page' }).click();
+  await keys.getByText('to the next cell').waitFor();
+});
+
 test('permanent addresses lead to cells and designs', async (explorer) => {
   const page = await explorer.context.newPage();
   await page.goto(`${explorer.server.origin}/?cell=20.5.2.circular`);

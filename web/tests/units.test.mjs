@@ -155,6 +155,8 @@ test('the look-up box understands cells, labels and designs', () => {
   for (const wrong of ['', '20', 'hello', '20 5 6 7', '20 5 kangaroo']) {
     assert.ok('problem' in understand(wrong, 2, 'linear'), wrong);
   }
+  assert.equal(understand('220ffAED', 2, 'linear').checksum, '220ffaed');
+  assert.equal(understand('a'.repeat(64), 2, 'linear').checksum, 'aaaaaaaa');
   assert.match(understand('5 23', 2, 'linear').problem, /write v first, as 23 5\.$/);
   assert.match(understand('-3 5', 2, 'linear').problem, /without a sign/);
   assert.match(understand('0 0', 2, 'linear').problem, /v = 0, k = 0: both .* from 1 on/);

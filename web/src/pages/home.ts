@@ -147,6 +147,7 @@ function door(
   title: string,
   question: string,
   picture: Node,
+  shown: { to: string; words: string },
   what: Child[],
   to: string,
   action: string,
@@ -156,7 +157,7 @@ function door(
     { class: 'door' },
     h('h2', {}, title),
     h('p', { class: 'question' }, question),
-    h('div', { class: 'door-picture' }, picture),
+    h('div', { class: 'door-picture' }, h('a', { href: shown.to, title: shown.words }, picture)),
     h('p', {}, what),
     h('p', { class: 'door-action' }, h('a', { class: 'button', href: to }, action)),
   );
@@ -244,6 +245,10 @@ export const home: Page = {
           'Test parts',
           'Which set-ups, in which order?',
           sheetPicture(),
+          {
+            to: link('design', { v: 9, k: 4, change: 2, kind: 'linear' }),
+            words: 'Nine parts, four at a time, test by test',
+          },
           [
             'Parts are mounted a few at a time, and every two must be tried together. Get a ' +
               'run sheet with the fewest changes.',
@@ -255,6 +260,10 @@ export const home: Page = {
           'Load data',
           'What to read when memory is small?',
           memoryPicture(),
+          {
+            to: link('loadorder', { items: 12, room: 4 }),
+            words: 'Twelve items, room for four, step by step',
+          },
           [
             'Items lie on a disk, a few fit into memory, and every two must meet there. Get an ' +
               'order with the fewest loads.',
@@ -266,6 +275,7 @@ export const home: Page = {
           'Study designs',
           'How few blocks are possible?',
           mapPicture(view),
+          { to: link('catalog'), words: 'The map of the catalog' },
           [counts, ' Each is verified, and each bound has its reason.'],
           link('catalog'),
           'Browse the catalog',

@@ -2,10 +2,14 @@
 import type { Kind } from '../../lib/api';
 import { fill, h } from '../../lib/dom';
 import { keepText } from '../../lib/local';
-import { cellOfLabel } from '../../lib/source';
+import { atlasOf, cellOfLabel } from '../../lib/source';
 import { link } from '../../shell/router';
 
-export type Found = { to: string; paste?: string } | { problem: string };
+export type Found =
+  | { to: string; paste?: string }
+  /** The first digits of the checksum of a design's blocks. */
+  | { checksum: string }
+  | { problem: string };
 
 /** Where `text` leads to. `change` and `kind` hold where it does not say. */
 export function understand(text: string, change: number, kind: Kind): Found {
@@ -21,6 +25,10 @@ export function understand(text: string, change: number, kind: Kind): Found {
   const sizes = new Set(blocksOf.map((block) => block.split(/[\s,]+/).length));
   if (blocksOf.length > 1 && sizes.size === 1 && !sizes.has(1) && !plain.includes('=')) {
     return { to: link('verify', { pasted: 1 }), paste: blocksOf.join('\n') };
+  }
+  const checksum = /^(?:[0-9a-f]{8}|[0-9a-f]{64})$/i.exec(plain)?.[0];
+  if (checksum) {
+    return { checksum: checksum.slice(0, 8).toLowerCase() };
   }
   const cell = cellOfLabel(plain);
   if (cell) {
@@ -87,11 +95,27 @@ export function understand(text: string, change: number, kind: Kind): Found {
   };
 }
 
+/** The label that ends with these digits, among those of the best designs. */
+async function labelled(checksum: string): Promise<string | null> {
+  for (const strength of [2, 3, 4]) {
+    for (const change of [1, 2, 3]) {
+      for (const kind of ['circular', 'linear'] as const) {
+        const atlas = await atlasOf({ change, kind, strength }).catch(() => null);
+        const label = atlas?.cells().find((cell) => cell.label?.endsWith(`.${checksum}`))?.label;
+        if (label) {
+          return label;
+        }
+      }
+    }
+  }
+  return null;
+}
+
 export function lookUp(here: () => { change: number; kind: Kind }): HTMLElement {
   const message = h(
     'p',
     { class: 'hint', id: 'look-up-says' },
-    'Write v and k (20 5) or a label (20.5.2.linear), or paste a design.',
+    'Write v and k (20 5), a label (20.5.2.linear) or the checksum at its end, or paste a design.',
   );
   const input = h('input', {
     id: 'look-up',
@@ -104,10 +128,25 @@ export function lookUp(here: () => { change: number; kind: Kind }): HTMLElement 
   const go = (text: string): void => {
     const { change, kind } = here();
     const found = understand(text, change, kind);
-    if ('problem' in found) {
+    const fault = (words: string): void => {
       message.className = 'hint wrong';
       message.setAttribute('role', 'alert');
-      fill(message, found.problem);
+      fill(message, words);
+    };
+    if ('problem' in found) {
+      fault(found.problem);
+      return;
+    }
+    if ('checksum' in found) {
+      fill(message, 'Looking for that checksum …');
+      void labelled(found.checksum).then((label) =>
+        label
+          ? (window.location.hash = link('design', { label }))
+          : fault(
+              `No best design has a checksum that begins with ${found.checksum}. Other designs ` +
+                'are found by their whole label.',
+            ),
+      );
       return;
     }
     if (found.paste !== undefined) {
