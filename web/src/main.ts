@@ -88,7 +88,7 @@ function navigation(current: Page): void {
           ),
       ),
     ),
-    h('button', { type: 'button', class: 'plain', onclick: openGlossary }, 'Glossary'),
+    h('button', { type: 'button', class: 'plain', onclick: () => openGlossary() }, 'Glossary'),
     h(
       'button',
       {

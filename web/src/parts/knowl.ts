@@ -1,8 +1,9 @@
-// Terms of the glossary where they stand in a text: their sentence on hover, focus or a tap, and a
-// link to the glossary.
+// Terms of the glossary where they stand in a text: their sentence on hover, focus or a tap, and the
+// glossary, opened at them, on a press.
 import { fill, h } from '../lib/dom';
 import { mathText } from '../lib/mathematics';
 import { glossary, termAt } from '../lib/terms';
+import { openGlossary } from '../shell/glossary';
 import { link } from '../shell/router';
 
 /** Words of texts, as patterns, and the terms that they are. */
@@ -62,7 +63,7 @@ function termLink(text: string, term: string): HTMLElement {
       onmouseleave: hide,
       onfocus: () => show(anchor, meaning),
       onblur: hide,
-      // A finger has no hover: the first tap says what it means, the second leads to the glossary.
+      // A finger has no hover: the first tap says what it means, the second opens the glossary.
       onpointerdown: (event) => {
         first = (event as PointerEvent).pointerType === 'touch' && shownFor !== anchor;
         if (first) {
@@ -70,17 +71,46 @@ function termLink(text: string, term: string): HTMLElement {
         }
       },
       onpointercancel: () => (first = false), // It became a scroll.
+      // Its place in the glossary is shown over the page; as a link it opens another window.
       onclick: (event) => {
-        if (first) {
-          event.preventDefault();
-          first = false;
+        const { ctrlKey, metaKey, shiftKey } = event as MouseEvent;
+        if (ctrlKey || metaKey || shiftKey) {
+          return;
         }
+        event.preventDefault();
+        if (!first) {
+          hide();
+          openGlossary(term);
+        }
+        first = false;
       },
       onkeydown: (event) => (event as KeyboardEvent).key === 'Escape' && hide(),
     },
     text,
   );
   return anchor;
+}
+
+/** What facts are called, and the terms that they are. */
+const named: Readonly<Record<string, string>> = {
+  'lower bound': 'lower bound',
+  tight: 'tight',
+  economical: 'economical',
+  excess: 'excess',
+  stays: 'stay',
+  'unchanged subsets': 'unchanged subset',
+  group: 'automorphism, group',
+  'SHA-256': 'label',
+};
+
+/** The name of a fact: as a term of the glossary if it is one, else with what it means. */
+export function factName(name: string, meaning: string): HTMLElement {
+  const term = named[name];
+  return h(
+    'dfn',
+    { title: term === undefined ? meaning : null },
+    term === undefined ? name : termLink(name, term),
+  );
 }
 
 /** Links the first place of each term below `root`. */

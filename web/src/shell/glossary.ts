@@ -70,8 +70,8 @@ export function termList(
 
 let dialog: HTMLDialogElement | null = null;
 
-function made(): HTMLDialogElement {
-  const { find, list } = termList('glossary-find', null, () => dialog?.close());
+function made(chosen: string | null): HTMLDialogElement {
+  const { find, list } = termList('glossary-find', chosen, () => dialog?.close());
   const close = h(
     'button',
     { type: 'button', class: 'plain', onclick: () => dialog?.close() },
@@ -92,7 +92,12 @@ function made(): HTMLDialogElement {
   return element;
 }
 
-export function openGlossary(): void {
-  dialog ??= made();
+/** Over the page, which stays where it is read. `term`: the one that is asked for. */
+export function openGlossary(term: string | null = null): void {
+  dialog?.remove();
+  dialog = made(term);
   dialog.showModal();
+  const marked = dialog.querySelector<HTMLElement>('dt.chosen');
+  marked?.scrollIntoView({ block: 'center' });
+  marked?.focus({ preventScroll: true });
 }

@@ -15,7 +15,7 @@ const sources: Readonly<Record<string, readonly [before: string, linked: string,
   {
     found: ['', 'Found', ' and written down'],
     literal: ['', 'Found', ' and written down'],
-    developed: ['', 'Found', ', with an automorphism that makes it of base blocks'],
+    developed: ['', 'Found', ' by a search for base blocks'],
     printed: ['', 'Printed', ' in a publication'],
   };
 

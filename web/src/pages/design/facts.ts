@@ -6,6 +6,7 @@ import { cellDetail } from '../../lib/source';
 import { groupWords, orderWords, type Symmetry } from '../../lib/symmetry';
 import { termsOf } from '../../lib/terms';
 import { changeWord, count, indexed, number, setsOf } from '../../lib/words';
+import { factName } from '../../parts/knowl';
 import type { Stays } from '../../parts/stays';
 import { badge } from '../../parts/status';
 import { link } from '../../shell/router';
@@ -22,7 +23,7 @@ const mostPaired = 2_000;
 const cellLink = ({ v, k, change, kind, strength }: Design): string =>
   link('cell', { v, k, change, kind, strength: strength === 2 ? null : strength });
 
-/** "3: 3 pairs newly covered twice, 2–5, 1–7, 0–3"; "12: newly covered again 2–5 (3×), 0–3 and 4 more pairs". */
+/** "3 pairs newly covered twice: 2–5, 1–7, 0–3"; "12: newly covered again 2–5 (3×), 0–3 and 4 more pairs". */
 function excessOf(design: Design): string | null {
   const { v, k, blocks, labels } = design;
   if ((design.strength ?? 2) !== 2 || v > mostPaired || blocks.length * k * k > mostCounted * 4) {
@@ -52,7 +53,7 @@ function excessOf(design: Design): string | null {
   const twice = again[0]![1] === 2;
   return (
     (twice
-      ? `${number(excess)}: ${count(again.length, 'pair')} newly covered twice, `
+      ? `${count(again.length, 'pair')} newly covered twice: `
       : `${number(excess)}: newly covered again `) +
     named.join(', ') +
     (left > 0 ? ` and ${twice ? `${number(left)} more` : count(left, 'more pair')}` : '')
@@ -137,7 +138,7 @@ export function chips(design: Design, symmetry: Symmetry | null): HTMLElement | 
 function sourceOf({ recipe }: Design, entry: CatalogEntry | null): Child[] {
   const construction = entry?.construction ?? recipe?.construction;
   return construction
-    ? [...madeBy(construction), entry?.credit.who && `, ${entry.credit.who}`]
+    ? [...madeBy(construction), entry?.credit.who && `; ${entry.credit.who}`]
     : ['not known'];
 }
 
@@ -225,12 +226,7 @@ export function facts(
       'tbody',
       {},
       rows.map(([name, value, meaning]) =>
-        h(
-          'tr',
-          {},
-          h('th', { scope: 'row' }, h('dfn', { title: meaning }, name)),
-          h('td', {}, value),
-        ),
+        h('tr', {}, h('th', { scope: 'row' }, factName(name, meaning)), h('td', {}, value)),
       ),
     ),
   );

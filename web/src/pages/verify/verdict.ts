@@ -4,6 +4,7 @@ import { h, type Child } from '../../lib/dom';
 import { formula, mathText } from '../../lib/mathematics';
 import { termsOf } from '../../lib/terms';
 import { count, nameOf, number, ratio, setsOf } from '../../lib/words';
+import { factName } from '../../parts/knowl';
 import { defined, reason } from '../../parts/recipe';
 import { virtualList } from '../../parts/virtual';
 import type { Report } from './check';
@@ -209,12 +210,7 @@ export function facts({ answer, blocks }: Report): HTMLElement {
         'tbody',
         {},
         rows.map(([term, value, meaning]) =>
-          h(
-            'tr',
-            {},
-            h('th', { scope: 'row' }, h('dfn', { title: meaning }, term)),
-            h('td', {}, value),
-          ),
+          h('tr', {}, h('th', { scope: 'row' }, factName(term, meaning)), h('td', {}, value)),
         ),
       ),
     ),
