@@ -100,7 +100,6 @@ const named: Readonly<Record<string, string>> = {
   stays: 'stay',
   'unchanged subsets': 'unchanged subset',
   group: 'automorphism, group',
-  'SHA-256': 'label',
 };
 
 /** The name of a fact: as a term of the glossary if it is one, else with what it means. */
