@@ -32,6 +32,7 @@ test('what is missing is said', async (explorer) => {
 
 test('strip and timeline have one scale, however few or many steps there are', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=20&room=8&workers=3');
+  await page.getByRole('combobox', { name: 'Worker', exact: true }).selectOption('0');
   const tip = page.locator('.timeline .atlas-tip');
   const canvas = page.locator('.timeline-canvas');
   /** What the timeline has below the middle of a step of the strip. */

@@ -479,12 +479,20 @@ export function stepList(answer: Ordered): StepList {
   );
   const columns = columnsOf(answer.steps);
   /** What a step does with items; its column stays where it does nothing with any. */
-  const move = (column: number, kind: string, words: Child[]): HTMLElement | false => {
-    if (words.length === 0 && columns[column] === 0) {
+  /** Where memory is filled, a step has many items and no columns. */
+  const fills = ({ evict, fast_evict: leave = [] }: Ordered['steps'][number]): boolean =>
+    evict.length + leave.length === 0;
+  const move = (
+    column: number,
+    kind: string,
+    words: Child[],
+    aligned: boolean,
+  ): HTMLElement | false => {
+    if (words.length === 0 && (!aligned || columns[column] === 0)) {
       return false;
     }
     const place = h('span', { class: `move ${kind}` }, words);
-    place.style.setProperty('--column', `${columns[column]! * letterWidth}px`);
+    aligned && place.style.setProperty('--column', `${columns[column]! * letterWidth}px`);
     return place;
   };
   const list = virtualList({
@@ -502,7 +510,7 @@ export function stepList(answer: Ordered): StepList {
         (sum, [items, verb, bold], column) =>
           sum +
           Math.max(
-            columns[column]!,
+            fills(answer.steps[i]!) ? 0 : columns[column]!,
             items.length > 0 ? wide(verb, false) + wide(listed(items), bold) + between : 0,
           ),
         0,
@@ -511,6 +519,7 @@ export function stepList(answer: Ordered): StepList {
     row(i) {
       const { step, worker, load, evict, before, compute, epoch } = answer.steps[i]!;
       const { fast_load: come = [], fast_evict: leave = [] } = answer.steps[i]!;
+      const aligned = !fills(answer.steps[i]!);
       const parts: Child[] = [
         h('span', { class: 'block-number' }, shared ? `${worker} · ${number(step)}` : number(step)),
         move(
@@ -521,13 +530,14 @@ export function stepList(answer: Ordered): StepList {
             : come.length + evict.length + leave.length === 0
               ? ['load nothing']
               : [],
+          aligned,
         ),
-        move(1, 'block-out', evict.length > 0 ? ['evict ', listed(evict)] : []),
+        move(1, 'block-out', evict.length > 0 ? ['evict ', listed(evict)] : [], aligned),
         epoch !== undefined &&
           starts.has(answer.steps[i]!) &&
           h('span', { class: 'hint' }, `epoch ${number(epoch)} begins`),
-        move(2, '', come.length > 0 ? ['transfer ', listed(come)] : []),
-        move(3, 'block-out', leave.length > 0 ? ['take off ', listed(leave)] : []),
+        move(2, '', come.length > 0 ? ['transfer ', listed(come)] : [], aligned),
+        move(3, 'block-out', leave.length > 0 ? ['take off ', listed(leave)] : [], aligned),
         before &&
           compute &&
           h(
