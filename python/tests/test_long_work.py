@@ -244,7 +244,8 @@ class Catalog(unittest.TestCase):
         )
 
     def test_beginnings_of_labels_are_told_from_what_is_not_there(self):
-        for text in ("20", "20.5", "20.5.2", "20.5.2.circular", "20.5.2.circular.", "9.4.1.linear.t3"):
+        for text in ("20", "20.5", "20.5.2", "20.5.2.circular", "20.5.2.circular.",
+                     "9.4.1.linear.t3"):
             with self.assertRaisesRegex(
                 changeover.BadInput, f"^'{text}' ends before the number of blocks, and is no alias"
             ):
