@@ -355,5 +355,5 @@ test('the excess of a list with missing pairs is what is newly covered again', a
   const excess = page.locator('.verify-facts tr', { hasText: 'excess' });
   // 33 of 36 pairs are covered: 41 − 33.
   await excess.getByText('8 of 41 newly covered').waitFor();
-  await excess.locator('dfn[title*="newly covered after their first time"]').waitFor();
+  await excess.locator('dfn').getByRole('link', { name: 'excess' }).waitFor();
 });
