@@ -114,9 +114,8 @@ TEST(Handovers, WhoFollowsThemAlwaysHasTheParts) {
     if (random.below(2) == 0) {
       benches[0].start = Block{0, 1};
     }
-    const auto hours = random.below(2) == 0 ? std::nullopt : std::optional(units(7));
     for (Bench& bench : benches) {
-      bench.hours = hours;
+      bench.hours = random.below(2) == 0 ? std::nullopt : std::optional(units(7));
     }
     const BenchPlan plan = planned(job, benches, 3000);
     const std::vector<Handover> all = handovers(job, plan);

@@ -87,7 +87,8 @@ void BenchClock::fit(Course& course, Ticks from, Ticks cost, Ticks hours) const 
     course.end = later(from, cost);
     return;
   }
-  if (from - course.morning >= day_) {
+  // A piece may turn out to be free earlier than it was when this bench was looked at last.
+  if (from < course.morning || from - course.morning >= day_) {
     course.morning = from / day_ * day_;
   }
   Ticks morning = course.morning;

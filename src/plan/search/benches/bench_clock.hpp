@@ -97,7 +97,7 @@ class BenchClock {
     Ticks free = 0;
     Ticks begin = never;  // of the next step; never: its parts are held without a known end
     Ticks end = 0;
-    Ticks morning = 0;          // of some day not after `free`
+    Ticks morning = 0;          // of the day that was looked at last
     std::vector<Element> lost;  // given up, and to be put in again
   };
   // What is known at a moment: see snapshot().

@@ -45,7 +45,11 @@ class BenchPlanner {
                                             : "no test after those that come first",
           BenchLists(field_.size()));
     } else {
+      // Within a budget half of the time is for the plan that keeps within it.
+      ShareOfTime part = part_of_the_time(options_->plan.budget ? 0.5 : 1.0);
+      RunControl* const whole = std::exchange(control_, &part.control());
       find_complete();
+      control_ = whole;
     }
     std::stable_sort(
         plan_.candidates.begin(), plan_.candidates.end(),

@@ -9,6 +9,7 @@
 
 #include "changeover/run/control.hpp"
 #include "core/bit_number.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "plan/job/pair_numbers.hpp"
 

@@ -31,8 +31,8 @@ struct Handover {
 
 /// All of a plan, in the order of time. A step takes a piece that lies beside the benches before
 /// one that is still on a bench, and one that no bench has had before one that comes from another.
-/// Of parts without a limit, of a bench's own pieces, and of models there is nothing to say. O(parts
-/// · steps · benches).
+/// Of parts without a limit, of a bench's own pieces, and of models there is nothing to say.
+/// O(parts · steps · benches).
 [[nodiscard]] std::vector<Handover> handovers(const Job& job, const BenchCount& plan);
 
 /// The same as lines for people, by bench and step: "after it take out Battery: Bench 2 needs it

@@ -485,6 +485,21 @@ TEST(BenchStock, TheRestOfPlansUnderWayIsACandidate) {
   EXPECT_LE(plan.makespan, going_on);
 }
 
+// Two pieces of some parts: the one that a bench waits for may be free earlier than it seemed.
+TEST(BenchStock, APieceThatIsFreeEarlierMovesTheMorning) {
+  Job job = make_job(7, 3, units(2), Amount{});
+  job.change_costs = {units(3), units(2), units(1), units(3), units(3), units(1), units(3)};
+  job.quantities = {1, 2, 1, 1, 2, 2, 1};
+  std::vector<Bench> benches(3);
+  benches[1].hours = units(7);
+  benches[2].hours = units(7);
+  for (std::uint64_t steps = 1'000; steps <= 20'000; steps += 1'000) {
+    BenchOptions options;
+    options.plan.steps = steps;
+    expect_sound(job, planned(job, benches, options), std::to_string(steps));
+  }
+}
+
 TEST(BenchStock, DaysEndBeforeTheNight) {
   const Job job = make_job(6, 3, units(3), units(1));
   std::vector<Bench> benches(2);
