@@ -38,6 +38,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/core/fans.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/core/sha256.hpp"
@@ -72,4 +73,5 @@
 #include "changeover/search/local_search.hpp"
 #include "changeover/search/wanted.hpp"
 #include "changeover/verify/difference.hpp"
+#include "changeover/verify/fans.hpp"
 #include "changeover/verify/verdict.hpp"

@@ -113,6 +113,12 @@ TEST_F(CoreExampleFiles, Error) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::StartsWith("mine.txt:2:"));
 }
 
+TEST(CoreExamples, Fans) {
+  const Block kept{1, 4, 7};
+  const Fan fan{kept, 10, 12};
+  EXPECT_EQ(fan.block_count(), 3U);
+}
+
 TEST(CoreExamples, PairSet) {
   const std::uint64_t v = 10;
   std::vector<std::pair<Element, Element>> printed;

@@ -17,6 +17,14 @@ TEST(VerifyExamples, IntervalDifference) {
   EXPECT_EQ(verdict.b, 42U);
 }
 
+TEST(VerifyExamples, Fans) {
+  const Registry& registry = Registry::standard();
+  const auto offer = registry.best({.v = 1'000'000, .k = 5, .change = 1});
+  const FanVerdict verdict = verify_fans(*registry.fans(offer->recipe));
+  EXPECT_TRUE(verdict.valid());
+  EXPECT_EQ(verdict.b, 124999874999U);
+}
+
 TEST(VerifyExamples, Verdict) {
   const Design design(Parameters{.v = 6, .k = 4},
                       std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 2, 0}});

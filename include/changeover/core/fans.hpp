@@ -1,6 +1,8 @@
 // Fans: lists of blocks in which one element goes through an interval beside k−1 that stay.
 //
-//     Fan{.kept = {1, 4, 7}, .first = 10, .last = 12};   // {1,4,7,10}, {1,4,7,11}, {1,4,7,12}
+//     const Block kept{1, 4, 7};
+//     const Fan fan{kept, 10, 12};       // {1,4,7,10}, {1,4,7,11}, {1,4,7,12}
+//     fan.block_count();                 // 3
 //
 // A block alone is a fan with first = last. Where every old element is inserted beside an unchanged
 // subset, as in concatenation, a list of b blocks over v elements has O(kv) fans, so a design of

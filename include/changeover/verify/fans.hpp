@@ -9,8 +9,11 @@
 // 0, …, l−1 of smaller elements that it has met; what it meets beyond that waits in a list until
 // the interval reaches it.
 //
-//     const FanVerdict verdict = verify_fans(*Registry::standard().fans(recipe));
-//     verdict.valid();                       // a linear SCCD(1000000,5) of 124,999,874,999 blocks
+//     const Registry& registry = Registry::standard();
+//     const auto offer = registry.best({.v = 1'000'000, .k = 5, .change = 1});
+//     const FanVerdict verdict = verify_fans(*registry.fans(offer->recipe));
+//     verdict.valid();                   // true
+//     verdict.b;                         // 124999874999
 //
 // Complexity: O(k²) time for each fan, where elements meet smaller ones in order, and four bytes an
 // element; otherwise O(log) more of each. If elements meet larger ones in fans, O(v log v) more.
