@@ -78,6 +78,16 @@ TEST(LoadOrderVerb, SaysEachStepInALineOfJsonAndEveryPairMeets) {
   EXPECT_EQ(loads, number_in(lines[0], "loads"));
 }
 
+TEST(LoadOrderVerb, WordsOfOneAndOfTheTrueMean) {
+  const TemporaryFolder folder;
+  spit(folder.file("pairs"), "0 0\n");
+  expect({{"$changeover loadorder --items 6 --room 3 --workers 2 --disjoint --quiet | tail -n 20",
+           0, "computes 9 of 15, 20.00 % over the mean 7.5\n"},
+          {"$changeover loadorder --items 1 --room 2 --item-bytes 1 --quiet", 0,
+           "1 byte is loaded\n"}},
+         folder);
+}
+
 TEST(LoadOrderVerb, StartsAtOnceWithAMillionItems) {
   const TemporaryFolder folder;
   const Outcome outcome =

@@ -297,7 +297,7 @@ TEST(ModelUsage, BoundsWithinABudgetOfMachinesAreForAllPairs) {
   const std::string plan =
       "$changeover plan --model m.txt --test-cost 2 --change-cost 1 --benches 2" + few;
   expect(
-      {{plan + " --budget 0", 0, "\nthe budget allows no test\n"},
+      {{plan + " --budget 0", 0, "\nno test was found within the budget\n"},
        {plan + " --budget 20", 0, " for all pairs for all benches together: "},
        {plan +
             " --budget 20 | grep -c '^no plan is\\|^lower bound for the bench\\|nothing is left' "

@@ -50,16 +50,18 @@ class BenchBounder {
 
   BenchBounds run() {
     unit_ = unit_of_times();
+    std::uint64_t first_tests = 0;
     for (std::size_t w = 0; w < field_->size(); ++w) {
       spent_ += field_->spent(w);
+      first_tests += field_->whole(w).first.size();
     }
-    bounds_.makespan_reason = "nothing is left to test";
+    bounds_.makespan_reason = bounds_.cost.reason = "nothing is left to test";
     for (std::size_t w = 0; w < field_->size(); ++w) {
       raise(by(w, field_->spent(w).millionths), [&] {
         return "the first set-ups of " + name_of(field_->benches(), number(w)) + " take so long";
       });
     }
-    bounds_.cost.reason = "nothing is left to test";
+    const std::string of_first = bounds_.makespan_reason;
     if (field_->size() > 0 && field_->common().needed.size() > 0) {
       easiest_ = easiest_job(*field_);
       bound_costs();
@@ -75,13 +77,16 @@ class BenchBounder {
         bound_costs_shared();  // the bound so far is valid, too
       }
     }
-    for (std::size_t w = 0; w < field_->size(); ++w) {
-      bounds_.cost.tests += field_->whole(w).first.size();
-    }
+    bounds_.cost.tests += first_tests;
     if (spent_.millionths > 0) {
       bounds_.cost.cost += spent_;
-      bounds_.cost.reason = fmt::format("the first set-ups cost {}; after them, {}",
-                                        to_string(spent_), bounds_.cost.reason);
+      const auto after_first = [&](const std::string& reason) {
+        return fmt::format("the first set-ups cost {}; after them, {}", to_string(spent_), reason);
+      };
+      bounds_.cost.reason = after_first(bounds_.cost.reason);
+      if (bounds_.makespan_reason != of_first) {
+        bounds_.makespan_reason = after_first(bounds_.makespan_reason);
+      }
     }
     return std::move(bounds_);
   }

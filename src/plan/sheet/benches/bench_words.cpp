@@ -61,7 +61,7 @@ std::string end_line(const BenchDocument& document, const BenchCalendar& calenda
                      const Money& money) {
   const BenchPlan& plan = *document.plan;
   if (plan.tests == 0) {
-    return plan.complete && plan.complete->tests > 0 ? "the budget allows no test"
+    return plan.complete && plan.complete->tests > 0 ? "no test was found within the budget"
                                                      : "nothing is left to do";
   }
   if (calendar.has_days()) {
