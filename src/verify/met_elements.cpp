@@ -1,9 +1,11 @@
 #include "verify/met_elements.hpp"
 
-#include <bit>
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 namespace {
@@ -41,29 +43,23 @@ class Present {
 
 }  // namespace
 
-void join(std::vector<ElementRange>& ranges) {
-  std::ranges::sort(ranges);
-  std::size_t kept = 0;
-  for (const ElementRange& range : ranges) {
-    if (kept > 0 && range.first <= std::uint64_t{ranges[kept - 1].last} + 1) {
-      ranges[kept - 1].last = std::max(ranges[kept - 1].last, range.last);
-    } else {
-      ranges[kept++] = range;
+void MetElements::wait(Ranges& ranges, ElementRange others) {
+  constexpr std::uint64_t most_ranges = std::uint64_t{1} << 25;  // about 3 GiB
+  ranges_ -= ranges.size();
+  auto next = ranges.upper_bound(others.first);
+  if (next != ranges.begin()) {
+    const auto before = std::prev(next);
+    if (std::uint64_t{before->second} + 1 >= others.first) {
+      others = {before->first, std::max(before->second, others.last)};
+      ranges.erase(before);
     }
   }
-  ranges.resize(kept);
-}
-
-void MetElements::wait(std::vector<ElementRange>& ranges, ElementRange others) {
-  constexpr std::uint64_t most_ranges = std::uint64_t{1} << 27;  // 1 GiB
-  constexpr std::size_t few = 8;
-  ranges.push_back(others);
-  ++ranges_;
-  if (ranges.size() >= few && std::has_single_bit(ranges.size())) {
-    const std::size_t before = ranges.size();
-    join(ranges);
-    ranges_ -= before - ranges.size();
+  while (next != ranges.end() && next->first <= std::uint64_t{others.last} + 1) {
+    others.last = std::max(others.last, next->second);
+    next = ranges.erase(next);
   }
+  ranges.emplace_hint(next, others.first, others.last);
+  ranges_ += ranges.size();
   if (ranges_ > most_ranges) {
     throw MissingResource(
         "verification by fans takes too much memory here: elements meet in too many separate "
@@ -71,40 +67,26 @@ void MetElements::wait(std::vector<ElementRange>& ranges, ElementRange others) {
   }
 }
 
-void MetElements::reach_further(Waiting::iterator waiting) {
-  Element& reach = reach_[waiting->first];
-  std::vector<ElementRange>& ranges = waiting->second;
-  const std::size_t before = ranges.size();
-  for (bool further = true; further;) {
-    further = false;
-    std::erase_if(ranges, [&](const ElementRange& range) {
-      const bool touches = range.first <= reach;
-      if (touches && range.last >= reach) {
-        reach = range.last + 1;
-        further = true;
-      }
-      return touches;
-    });
-  }
-  ranges_ -= before - ranges.size();
-  if (ranges.empty()) {
-    smaller_.erase(waiting);
+void MetElements::reach_further(Element& reach, Ranges& ranges) {
+  while (!ranges.empty() && ranges.begin()->first <= reach) {
+    reach = std::max(reach, ranges.begin()->second + 1);
+    ranges.erase(ranges.begin());
+    --ranges_;
   }
 }
 
 // Element by element: those in its list of smaller ones are known to have met, and of the others
 // those in whose lists of larger ones it is.
-MetElements::Missing MetElements::missing(std::size_t examples) {
+MetElements::Missing MetElements::missing(std::size_t examples) const {
   struct Change {
     std::uint64_t at;  // from this element on
     Element x;         // is present, or no longer
   };
   std::vector<Change> changes;
-  for (auto& [x, ranges] : larger_) {
-    join(ranges);
-    for (const ElementRange& range : ranges) {
-      changes.push_back({range.first, x});
-      changes.push_back({std::uint64_t{range.last} + 1, x});
+  for (const auto& [x, ranges] : larger_) {
+    for (const auto& [first, last] : ranges) {
+      changes.push_back({first, x});
+      changes.push_back({std::uint64_t{last} + 1, x});
     }
   }
   std::ranges::sort(changes, {}, &Change::at);
@@ -125,18 +107,19 @@ MetElements::Missing MetElements::missing(std::size_t examples) {
     }
   };
   auto change = changes.begin();
+  constexpr Element elements_between_looks = 1U << 16U;
   for (Element y = 0; y < reach_.size(); ++y) {
+    if (y % elements_between_looks == 0) {
+      stop_if_asked();
+    }
     for (; change != changes.end() && change->at == y; ++change) {
       present->flip(change->x);
     }
     Element from = reach_[y];
     if (const auto waiting = smaller_.find(y); waiting != smaller_.end()) {
-      join(waiting->second);
-      for (const ElementRange& range : waiting->second) {
-        if (range.first > from) {
-          gap(y, {from, range.first - 1});
-        }
-        from = std::max(from, range.last + 1);
+      for (const auto& [first, last] : waiting->second) {
+        gap(y, {from, first - 1});  // it does not touch what is before it
+        from = last + 1;
       }
     }
     if (from < y) {

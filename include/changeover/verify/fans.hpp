@@ -3,11 +3,11 @@
 // A list of fans is an m-change covering design if and only if
 //   - each step within a fan, from fan to fan and, of a circular design, from the last block to the
 //     first changes m elements;
-//   - every pair is in some block. The pairs of a fan's blocks are those of its kept elements, and
-//     of each of these with the whole interval.
-// So it is enough to look at the first block of each fan, and to keep for each element the interval
-// 0, …, l−1 of smaller elements that it has met; what it meets beyond that waits in a list until
-// the interval reaches it.
+//   - every pair is in some block. The pairs in blocks of a fan are those of its kept elements, and
+//     of each of these with an element of the interval.
+// So it is enough to look at the first and the last block of each fan, and to keep for each element
+// which smaller ones it has met: an interval 0, …, l−1, and ranges beyond it that wait until the
+// interval reaches them. Larger elements that it meets in a fan are kept as ranges, too.
 //
 //     const Registry& registry = Registry::standard();
 //     const auto offer = registry.best({.v = 1'000'000, .k = 5, .change = 1});
@@ -15,8 +15,9 @@
 //     verdict.valid();                   // true
 //     verdict.b;                         // 124999874999
 //
-// Complexity: O(k²) time for each fan, where elements meet smaller ones in order, and four bytes an
-// element; otherwise O(log) more of each. If elements meet larger ones in fans, O(v log v) more.
+// Complexity: O(k²) time for each fan and four bytes an element if elements meet smaller ones in
+// order, as in concatenation. Otherwise O(k² log n) for each fan, n the ranges of an element, and
+// some 100 bytes for each range; where elements meet larger ones, O((v + n) log v) time at the end.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +41,7 @@ struct FanVerdict {
   std::uint64_t uncovered = 0;  ///< pairs in no block
   std::vector<std::pair<Element, Element>> uncovered_examples;  ///< the first most_examples
   static constexpr std::size_t most_examples = 20;
-  /// Pairs of elements that are in every block of a circular design.
+  /// Pairs of elements that are in every block of a circular design of two or more blocks.
   std::uint64_t never_newly_covered = 0;
   /// How many times, in all, pairs are newly covered after their first time.
   std::uint64_t excess = 0;
